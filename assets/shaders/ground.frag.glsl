@@ -2,16 +2,19 @@
 // The workshop at dusk: a cool, dim wall of boards, a lamp, tools and shelves out of focus, so that
 // nobody takes them for something a ball could lie on. Lengths are logical pixels, y down.
 in vec2 place;
+uniform vec4 window;  // its left and upper edge, width and height
 uniform int detailed; // 0: only the gradient
 out vec4 colour;
 
-const vec2 WINDOW = vec2(720.0, 800.0);
+const float HEIGHT = 800.0;       // of a scene
 const vec3 TOP = vec3(0.106, 0.122, 0.200);
 const vec3 BOTTOM = vec3(0.290, 0.247, 0.400);
 const float FOCUS = 2.5;          // how far an outline is smeared
 const float FAR = 12.0;           // farther away than any smear reaches
 const vec2 FALL = vec2(5.0, 9.0); // where shadows on the wall fall to
 const vec2 BULB = vec2(598.0, 116.0);
+const float PITCH = 810.0;        // what hangs on the wall comes again beside a scene: nine boards
+const float AHEAD = 45.0;         // where that begins, left of a scene
 
 float hash(vec2 p) {
     return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453);
@@ -95,7 +98,8 @@ float shelves(vec2 p) {
  * What hangs on the wall: tools under the lamp, shelves on the other side. Most of the wall is far
  * from either: software OpenGL takes both sides of a branch, but no turns of an empty loop.
  */
-float things(vec2 p) {
+float things(vec2 at) {
+    vec2 p = vec2(mod(at.x + AHEAD, PITCH) - AHEAD, at.y);
     float nearest = FAR;
     int turns = box(p, vec2(124, 292), vec2(104, 112), 0.0) < FAR ? 1 : 0;
     for (int i = 0; i < turns; i++) {
@@ -135,8 +139,8 @@ vec3 workshop(vec2 p, vec3 wall) {
 }
 
 void main() {
-    vec2 p = vec2(place.x, 1.0 - place.y) * WINDOW;
-    vec3 c = mix(BOTTOM, TOP, smoothstep(0.0, 1.0, place.y));
+    vec2 p = window.xy + vec2(place.x, 1.0 - place.y) * window.zw;
+    vec3 c = mix(TOP, BOTTOM, smoothstep(0.0, HEIGHT, p.y));
     if (detailed == 1) {
         c = workshop(p, c);
         vec2 aside = place - 0.5;

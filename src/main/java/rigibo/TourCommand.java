@@ -8,12 +8,14 @@ import picocli.CommandLine.Spec;
 import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.Tour;
 import rigibo.frontend.scene.DisplayException;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Settings;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -35,6 +37,12 @@ final class TourCommand implements Callable<Integer> {
             defaultValue = "1",
             description = "Windows so many times their usual size, 0.5 to 3.")
     private double scale;
+
+    @Option(
+            names = "--window",
+            paramLabel = "WxH",
+            description = "Windows of another shape, such as 1366x768, in pixels.")
+    private String window = "";
 
     @Option(names = "--full-screen", description = "Windows fill the screen.")
     private boolean isFullScreen;
@@ -68,7 +76,7 @@ final class TourCommand implements Callable<Integer> {
         PrintWriter words = spec.commandLine().getOut();
         PrintWriter complaints = spec.commandLine().getErr();
         try {
-            List<String> failures = new Tour(stops(), settings(), scale(), out, words).run();
+            List<String> failures = tour(words).run();
             failures.forEach(complaints::println);
             words.println("Pictures are in " + out);
             return failures.isEmpty() ? 0 : 1;
@@ -76,6 +84,11 @@ final class TourCommand implements Callable<Integer> {
             complaints.println(e.getMessage());
             return 1;
         }
+    }
+
+    private Tour tour(PrintWriter words) {
+        int[] size = window.isEmpty() ? scaled() : size();
+        return new Tour(stops(), settings(), size[0], size[1], out, words);
     }
 
     /** The menus, then everything that they lead to; single exhibits where they are asked for. */
@@ -116,10 +129,21 @@ final class TourCommand implements Callable<Integer> {
                 .withFullScreen(isFullScreen);
     }
 
-    private double scale() {
+    private int[] scaled() {
         if (!(scale >= 0.5 && scale <= 3)) {
             throw Options.refused(spec, "--scale", "must be 0.5 to 3, was " + scale);
         }
-        return scale;
+        return new int[] {
+            (int) Math.round(scale * Scene.WIDTH), (int) Math.round(scale * Scene.HEIGHT)
+        };
+    }
+
+    /** Width and height, 200 to 9999 px each. */
+    private int[] size() {
+        if (!window.matches("([2-9]\\d\\d|[1-9]\\d{3})x([2-9]\\d\\d|[1-9]\\d{3})")) {
+            String why = "must be width x height, 200 to 9999 px each, such as 1366x768, was ";
+            throw Options.refused(spec, "--window", why + window);
+        }
+        return Arrays.stream(window.split("x")).mapToInt(Integer::parseInt).toArray();
     }
 }

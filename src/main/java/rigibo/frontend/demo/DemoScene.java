@@ -7,13 +7,9 @@ import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
-import rigibo.frontend.scene.accuracy.AccuracyBar;
 import rigibo.frontend.scene.accuracy.AccuracyMeter;
-import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.effects.CostMeter;
-import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.trial.Trials;
-import rigibo.frontend.scene.widget.Panel;
 
 import java.util.function.Function;
 
@@ -25,23 +21,16 @@ final class DemoScene implements Scene {
 
     static final String TITLE = "RigiBo – ";
 
-    private static final double PANEL_WIDTH = 270;
-    private static final double TOP = 8;
-    private static final double BELOW_BAR = TOP + AccuracyBar.HEIGHT + 6;
-    private static final double RIGHT = WIDTH - 8 - SidePlate.WIDTH;
     private static final double ZOOM = 1.15;
 
     private final Director director;
     private final Function<Words, Demo> maker;
     private Demo demo;
     private Workbench bench;
-    private Panel panel;
-    private SidePlate side;
-    private AccuracyBar accuracy;
+    private DemoPlates plates;
     private final Trials trials = Trials.inBackground();
     private final CostMeter costs = new CostMeter(trials);
     private final AccuracyMeter errors = new AccuracyMeter(trials);
-    private EffectsBar effects;
     private boolean isPaused;
     private boolean isDebugging;
     private boolean isHelping;
@@ -60,18 +49,20 @@ final class DemoScene implements Scene {
         Camera camera = demo.camera();
         bench = new Workbench(demo.effects(), camera);
         demo.build(bench);
-        panel = new Panel(8, BELOW_BAR, PANEL_WIDTH, demo.widgets());
-        side =
-                side == null
-                        ? new SidePlate(bench, director.words(), RIGHT, BELOW_BAR)
-                        : side.of(bench);
-        accuracy = new AccuracyBar(bench.pool(), errors, director.words(), TOP);
-        effects = new EffectsBar(new DemoEffects(demo, bench, director.words()), costs);
+        plates =
+                plates == null
+                        ? new DemoPlates(demo, bench, director.words(), errors, costs)
+                        : plates.of(demo, bench, director.words(), errors, costs);
     }
 
     @Override
     public String title() {
         return TITLE + demo.title();
+    }
+
+    @Override
+    public boolean hasColumns() {
+        return true;
     }
 
     @Override
@@ -82,14 +73,13 @@ final class DemoScene implements Scene {
     }
 
     private void advance() {
-        side.keepGhost(demo.wantsGhost());
+        plates.wantGhost(demo.wantsGhost());
         bench.pull();
         demo.beforeStep(bench);
-        side.beforeStep();
+        plates.beforeStep();
         bench.step(STEP);
         bench.tell(director.sounds());
-        side.afterStep();
-        accuracy.stepped();
+        plates.afterStep();
         demo.afterStep(bench);
     }
 
@@ -100,10 +90,7 @@ final class DemoScene implements Scene {
             bench.drawDebug(canvas, STEP);
         }
         demo.draw(bench, canvas);
-        panel.draw(canvas);
-        accuracy.draw(canvas, isPaused);
-        effects.draw(canvas, HEIGHT - 8 - EffectsBar.HEIGHT);
-        side.draw(canvas);
+        plates.draw(canvas, isPaused);
         if (isHelping) {
             HelpSheet.draw(director.words(), bench.pool().plan(), canvas);
         }
@@ -111,15 +98,13 @@ final class DemoScene implements Scene {
 
     @Override
     public void drawn(long nanos) {
-        side.drawn(nanos);
+        plates.drawn(nanos);
         demo.drawn(nanos);
-        effects.turn();
-        accuracy.turn();
     }
 
     @Override
     public void paced(double share) {
-        accuracy.paced(share);
+        plates.paced(share);
     }
 
     @Override
@@ -129,9 +114,7 @@ final class DemoScene implements Scene {
 
     @Override
     public void pointerMoved(double x, double y) {
-        panel.pointerMoved(x, y);
-        accuracy.pointerMoved(x, y);
-        effects.pointerMoved(x, y);
+        plates.pointerMoved(x, y);
         if (isPanning) {
             bench.camera().pan(x - lastX, y - lastY);
         }
@@ -143,24 +126,17 @@ final class DemoScene implements Scene {
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
-        if (button == PointerButton.LEFT && !pressesControl(x, y)) {
+        if (button == PointerButton.LEFT && !plates.pointerPressed(x, y)) {
             bench.grab(bench.pointerX(), bench.pointerY());
-        } else if (button == PointerButton.RIGHT && !panel.contains(x, y)) {
+        } else if (button == PointerButton.RIGHT && !plates.contain(x, y)) {
             isPanning = true;
             demo.rightClick(bench, bench.pointerX(), bench.pointerY());
         }
     }
 
-    private boolean pressesControl(double x, double y) {
-        return panel.pointerPressed(x, y)
-                || accuracy.pointerPressed(x, y)
-                || side.pointerPressed(x, y)
-                || effects.pointerPressed(x, y);
-    }
-
     @Override
     public void pointerReleased(PointerButton button, double x, double y) {
-        panel.pointerReleased();
+        plates.pointerReleased();
         bench.letGo();
         isPanning = false;
     }
@@ -172,7 +148,7 @@ final class DemoScene implements Scene {
 
     @Override
     public void keyPressed(Key key) {
-        if (panel.keyPressed(key)) {
+        if (plates.keyPressed(key)) {
             return;
         }
         switch (key) {
@@ -183,10 +159,6 @@ final class DemoScene implements Scene {
             case D -> isDebugging = !isDebugging;
             case LEFT_BRACKET -> director.show(Demos.beside(title(), -1, director));
             case RIGHT_BRACKET -> director.show(Demos.beside(title(), 1, director));
-            case DIGIT_1, DIGIT_2, DIGIT_3, DIGIT_4 ->
-                    accuracy.choose(Preset.values()[key.ordinal() - Key.DIGIT_1.ordinal()]);
-            case N -> side.turnOver();
-            case G -> side.turnToGhost();
             case F1, H -> isHelping = !isHelping;
             default -> demo.key(bench, key);
         }

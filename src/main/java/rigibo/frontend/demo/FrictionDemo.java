@@ -72,7 +72,7 @@ final class FrictionDemo implements Demo {
 
     @Override
     public Camera camera() {
-        return new Camera(3.2, -1.3, 42);
+        return new Camera(3.2, -2.1, 42);
     }
 
     @Override

@@ -30,7 +30,7 @@ final class HelpSheet {
     /** Draws the keys and the lines of a plan. */
     static void draw(Words words, String plan, Canvas canvas) {
         // Covers everything with a veil, since words would shine through a panel.
-        canvas.panel(0, 0, Scene.WIDTH, Scene.HEIGHT, 0, Color.DUSK_TOP.alpha(0.96));
+        canvas.cover(Color.DUSK_TOP.alpha(0.96));
         for (int i = 0; i < KEYS; i++) {
             centred(words.of("help.keys." + i), TOP + KEY_HEIGHT * i, Color.TEXT, canvas);
         }

@@ -14,10 +14,9 @@ import java.util.Locale;
  */
 final class StageProfile {
 
-    static final double WIDTH = 240;
     static final double HEIGHT = 178;
 
-    private static final double BAR_WIDTH = WIDTH - 24;
+    private static final double PADDING = 12;
 
     /** Number of frames over which times are smoothed. */
     private static final double SMOOTHING = 15;
@@ -72,28 +71,29 @@ final class StageProfile {
         millis[i] += (nanos / 1e6 - millis[i]) / SMOOTHING;
     }
 
-    /** Draws the plate with its upper left corner at (x, y), px. */
-    void draw(Canvas canvas, double x, double y) {
-        canvas.panel(x, y, WIDTH, HEIGHT, 12, Color.PANEL);
+    /** Draws the plate with its upper left corner at (x, y), px, so wide. */
+    void draw(Canvas canvas, double x, double y, double width) {
+        canvas.panel(x, y, width, HEIGHT, 12, Color.PANEL);
         double total = 0;
         for (double part : millis) {
             total += part;
         }
-        words(canvas, words.of("profile.all"), x + 12, y + 18);
-        number(canvas, total, x + WIDTH - 12, y + 18);
-        bar(canvas, x + 12, y + 34, total);
+        words(canvas, words.of("profile.all"), x + PADDING, y + 18);
+        double right = x + width - PADDING;
+        number(canvas, total, right, y + 18);
+        bar(canvas, x + PADDING, y + 34, right - x - PADDING, total);
         for (Part part : Part.values()) {
             double middle = y + 68 + 22 * part.ordinal();
             canvas.disc(x + 20, middle, 6, part.color);
             words(canvas, words.of(part.key), x + 34, middle);
-            number(canvas, millis[part.ordinal()], x + WIDTH - 12, middle);
+            number(canvas, millis[part.ordinal()], right, middle);
         }
     }
 
     /** Draws the parts side by side; a frame over the budget gets a red border. */
-    private void bar(Canvas canvas, double x, double y, double total) {
-        canvas.panel(x, y, BAR_WIDTH, 12, 4, Color.PANEL_LIT);
-        double scale = BAR_WIDTH / Math.max(FrameTimes.BUDGET_MILLIS, total);
+    private void bar(Canvas canvas, double x, double y, double length, double total) {
+        canvas.panel(x, y, length, 12, 4, Color.PANEL_LIT);
+        double scale = length / Math.max(FrameTimes.BUDGET_MILLIS, total);
         double from = x;
         for (Part part : Part.values()) {
             double width = millis[part.ordinal()] * scale;
@@ -101,7 +101,7 @@ final class StageProfile {
             from += width;
         }
         if (total > FrameTimes.BUDGET_MILLIS) {
-            canvas.frame(x - 2, y - 2, BAR_WIDTH + 4, 16, 5, Color.BAD);
+            canvas.frame(x - 2, y - 2, length + 4, 16, 5, Color.BAD);
         }
         double line = x + FrameTimes.BUDGET_MILLIS * scale;
         canvas.line(line, y - 4, line, y + 16, 2, Color.BRASS);

@@ -16,7 +16,6 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Impacts;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.ghost.Ghost;
@@ -209,7 +208,7 @@ final class Workbench implements Bench {
         canvas.gaze(pointerX(), pointerY());
         RigidBody held = grip.held().orElse(null);
         for (RigidBody body : pool.bodies()) {
-            if (isInView(body)) {
+            if (isInView(canvas, body)) {
                 boolean isAsleep = body.type() == BodyType.DYNAMIC && !body.isAwake();
                 Canvas.Mood mood =
                         body == held
@@ -224,11 +223,9 @@ final class Workbench implements Bench {
         }
     }
 
-    private boolean isInView(RigidBody body) {
+    private boolean isInView(Canvas canvas, RigidBody body) {
         double radius = body.shape().boundingRadius() * camera.scale();
-        double x = camera.screenX(body.x());
-        double y = camera.screenY(body.y());
-        return x > -radius && x < Scene.WIDTH + radius && y > -radius && y < Scene.HEIGHT + radius;
+        return canvas.layout().shows(camera.screenX(body.x()), camera.screenY(body.y()), radius);
     }
 
     /**
@@ -237,13 +234,13 @@ final class Workbench implements Bench {
      */
     void drawDebug(Canvas canvas, double step) {
         for (RigidBody body : pool.bodies()) {
-            if (isInView(body)) {
+            if (isInView(canvas, body)) {
                 drawFixture(canvas, body);
             }
         }
         pool.forEachContact(contact -> drawContact(canvas, contact, step));
         for (RigidBody body : pool.bodies()) {
-            if (body.type() == BodyType.DYNAMIC && isInView(body)) {
+            if (body.type() == BodyType.DYNAMIC && isInView(canvas, body)) {
                 Color color = body.isAwake() ? Color.GOOD : Color.TEXT_DIM;
                 canvas.disc(camera.screenX(body.x()), camera.screenY(body.y()), 3, color);
             }

@@ -32,6 +32,7 @@ public final class Display implements Director {
     private final Troubles troubles = new Troubles();
     private final FrameClock clock;
     private final Speaker speaker = new Speaker();
+    private final WindowSize size = new WindowSize();
     private final Curtain curtain = new Curtain();
     private final DetailChoice choice = new DetailChoice();
     private final Player player;
@@ -307,7 +308,7 @@ public final class Display implements Director {
             closeWindow();
             scene = wanted;
             wanted = null;
-            window = new Window(scene, this, troubles, choice, vsync);
+            window = new Window(scene, this, size, troubles, choice, vsync);
             if (fades) {
                 curtain.drop();
             }

@@ -2,8 +2,8 @@ package rigibo.frontend.display;
 
 import static org.lwjgl.glfw.GLFW.*;
 
-import rigibo.frontend.draw.Letterbox;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
@@ -28,8 +28,8 @@ final class Input {
     private final Runnable paste;
     private double x = -1;
     private double y = -1;
-    private int windowWidth = Scene.WIDTH;
-    private int windowHeight = Scene.HEIGHT;
+    private Layout layout = Layout.ALONE;
+    private double pixelsPerUnit = 1;
     private boolean isControlHeld;
 
     Input(Scene scene, Runnable close, Runnable fullScreen, Runnable mute, Runnable paste) {
@@ -40,23 +40,25 @@ final class Input {
         this.paste = paste;
     }
 
-    /** The window's size in window coordinates, which need not be pixels. */
-    void windowSize(int width, int height) {
-        windowWidth = Math.max(1, width);
-        windowHeight = Math.max(1, height);
+    /**
+     * Takes what the window shows.
+     *
+     * @param perUnit pixels per unit of the window's coordinates, which need not be pixels
+     */
+    void shows(Layout shown, double perUnit) {
+        layout = shown;
+        pixelsPerUnit = perUnit;
     }
 
     void cursor(double windowX, double windowY) {
-        Letterbox box = Letterbox.of(windowWidth, windowHeight);
-        x = box.logicalX(windowX);
-        y = box.logicalY(windowY, windowHeight);
+        x = layout.logicalX(windowX * pixelsPerUnit);
+        y = layout.logicalY(windowY * pixelsPerUnit);
         scene.pointerMoved(x, y);
     }
 
     /** Moves the cursor to a point of the logical window. */
     void point(double logicalX, double logicalY) {
-        Letterbox box = Letterbox.of(windowWidth, windowHeight);
-        cursor(box.framebufferX(logicalX), box.framebufferY(logicalY, windowHeight));
+        cursor(layout.windowX(logicalX) / pixelsPerUnit, layout.windowY(logicalY) / pixelsPerUnit);
     }
 
     void mouseButton(int button, int action) {

@@ -9,6 +9,7 @@ import org.lwjgl.system.MemoryUtil;
 import rigibo.frontend.draw.Detail;
 import rigibo.frontend.draw.Painter;
 import rigibo.frontend.scene.DisplayException;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
 
 import java.nio.ByteBuffer;
@@ -109,7 +110,7 @@ public final class Offscreen implements AutoCloseable {
 
     private void draw(Scene scene, double seconds) {
         glBindFramebuffer(GL_FRAMEBUFFER, frame);
-        painter.begin(width, height, seconds, Detail.FULL);
+        painter.begin(Layout.of(width, height, 1), seconds, Detail.FULL);
         scene.draw(painter);
         painter.end(0);
         glFinish();

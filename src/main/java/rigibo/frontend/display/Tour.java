@@ -41,7 +41,8 @@ public final class Tour implements Display.Companion {
 
     private final List<Stop> stops;
     private final Settings settings;
-    private final double scale;
+    private final int width;
+    private final int height;
     private final Path folder;
     private final PrintWriter out;
     private final List<String> failures = new ArrayList<>();
@@ -64,12 +65,20 @@ public final class Tour implements Display.Companion {
      * A tour that writes PNG files to a folder and its progress to {@code out}.
      *
      * @param settings what the player has chosen
-     * @param scale of the windows to their usual size
+     * @param width of the windows, px
+     * @param height of the windows, px
      */
-    public Tour(List<Stop> stops, Settings settings, double scale, Path folder, PrintWriter out) {
+    public Tour(
+            List<Stop> stops,
+            Settings settings,
+            int width,
+            int height,
+            Path folder,
+            PrintWriter out) {
         this.stops = stops;
         this.settings = settings;
-        this.scale = scale;
+        this.width = width;
+        this.height = height;
         this.folder = folder;
         this.out = out;
     }
@@ -108,8 +117,7 @@ public final class Tour implements Display.Companion {
 
     private void resize(Window window) {
         if (!settings.isFullScreen()) {
-            int width = (int) Math.round(scale * Scene.WIDTH);
-            window.resize(width, (int) Math.round(scale * Scene.HEIGHT));
+            window.resize(width, height);
         }
     }
 

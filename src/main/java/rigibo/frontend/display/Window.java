@@ -14,6 +14,7 @@ import org.tinylog.Logger;
 import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.draw.Painter;
 import rigibo.frontend.scene.DisplayException;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 
@@ -33,12 +34,14 @@ final class Window {
     private final Scene scene;
     private final Input input;
     private final Toast toast;
+    private final WindowSize size;
     private final Troubles troubles;
     private final long handle;
     private final Painter painter;
     private final DetailChoice choice;
     private final int[] width = new int[1];
     private final int[] height = new int[1];
+    private Layout layout;
     private boolean isFull;
 
     /** Whether a frame was shown: nobody can mean what is pressed before. */
@@ -49,12 +52,20 @@ final class Window {
      *
      * @throws DisplayException when there is no window or no OpenGL 3.3 to be had
      */
-    Window(Scene scene, Display display, Troubles troubles, DetailChoice choice, boolean vsync) {
+    Window(
+            Scene scene,
+            Display display,
+            WindowSize size,
+            Troubles troubles,
+            DetailChoice choice,
+            boolean vsync) {
         this.scene = scene;
+        this.size = size;
         toast = display.toast();
         this.troubles = troubles;
         this.choice = choice;
         handle = GlWindow.create(scene.title(), Scene.WIDTH, Scene.HEIGHT, troubles);
+        size.open(handle);
         glfwMakeContextCurrent(handle);
         GL.createCapabilities();
         glfwSwapInterval(vsync ? 1 : 0);
@@ -93,9 +104,20 @@ final class Window {
                     }
                 });
         glfwSetCharCallback(handle, (window, codePoint) -> input.character(codePoint));
-        glfwSetWindowSizeCallback(handle, (window, w, h) -> input.windowSize(w, h));
+        glfwSetWindowSizeCallback(handle, (window, w, h) -> layOut());
+        layOut();
+    }
+
+    /** Finds out what the window shows; what is pressed next is where it was seen. */
+    private void layOut() {
         glfwGetWindowSize(handle, width, height);
-        input.windowSize(width[0], height[0]);
+        int units = Math.max(1, width[0]);
+        glfwGetFramebufferSize(handle, width, height);
+        float[] contentScale = new float[1];
+        glfwGetWindowContentScale(handle, contentScale, new float[1]);
+        Layout centred = Layout.of(width[0], height[0], contentScale[0]);
+        layout = scene.hasColumns() ? centred.withColumns() : centred;
+        input.shows(layout, width[0] / (double) units);
     }
 
     private void listenToDrops(Consumer<List<Path>> dropped) {
@@ -163,8 +185,8 @@ final class Window {
      */
     void render(Settings.Detail chosen, double darkness) {
         long begin = System.nanoTime();
-        glfwGetFramebufferSize(handle, width, height);
-        painter.begin(width[0], height[0], glfwGetTime(), choice.detail(chosen));
+        layOut();
+        painter.begin(layout, glfwGetTime(), choice.detail(chosen));
         scene.draw(painter);
         toast.draw(painter);
         painter.end(darkness);
@@ -211,6 +233,7 @@ final class Window {
 
     /** Frees everything: GL and NanoVG objects, callbacks, context, window, in this order. */
     void destroy() {
+        size.keep(handle);
         painter.free();
         Callbacks.glfwFreeCallbacks(handle);
         glfwMakeContextCurrent(0);
@@ -227,10 +250,11 @@ final class Window {
         }
         isFull = wanted;
         if (isFull) {
+            size.keep(handle);
             glfwSetWindowMonitor(
                     handle, monitor, 0, 0, mode.width(), mode.height(), mode.refreshRate());
         } else {
-            glfwSetWindowMonitor(handle, 0, 60, 60, Scene.WIDTH, Scene.HEIGHT, 0);
+            size.restore(handle);
         }
     }
 }

@@ -2,6 +2,8 @@ package rigibo.frontend.draw;
 
 import static org.lwjgl.opengl.GL33C.*;
 
+import java.util.function.Consumer;
+
 /**
  * Texture layers of one size, which a shader computes once and drawing only samples: on software
  * OpenGL, computing the noise of every pixel in every frame is too slow.
@@ -16,9 +18,15 @@ final class Baked {
 
     /**
      * Runs a shader over each layer. The uniform {@code layer} is the layer's number, and {@code
-     * detailed} says whether everything is to be drawn.
+     * detailed} says whether everything is to be drawn; {@code others} sets what else there is.
      */
-    Baked(String shader, int width, int height, int layers, Detail detail) {
+    Baked(
+            String shader,
+            int width,
+            int height,
+            int layers,
+            Detail detail,
+            Consumer<Program> others) {
         this.width = width;
         this.height = height;
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
@@ -38,6 +46,7 @@ final class Baked {
         Program program = new Program("everywhere", shader);
         program.use();
         program.set("detailed", detail == Detail.FULL ? 1 : 0);
+        others.accept(program);
         for (int layer = 0; layer < layers; layer++) {
             program.set("layer", layer);
             run(layer);
@@ -67,25 +76,12 @@ final class Baked {
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
     }
 
-    /** Copies the last layer to a place in the window, framebuffer pixels. */
-    void copyTo(Letterbox box) {
+    /** Copies the last layer to the framebuffer. */
+    void copy() {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, frame);
         glBlitFramebuffer(
-                0,
-                0,
-                width,
-                height,
-                box.x(),
-                box.y(),
-                box.x() + box.width(),
-                box.y() + box.height(),
-                GL_COLOR_BUFFER_BIT,
-                GL_NEAREST);
+                0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    }
-
-    boolean fits(Letterbox box) {
-        return width == box.width() && height == box.height();
     }
 
     void free() {

@@ -9,6 +9,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas.Mood;
 import rigibo.frontend.scene.ChainBand;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Skin;
 
 import java.util.List;
@@ -58,7 +59,7 @@ final class BodyBatch {
         if (wanted != detail) {
             detail = wanted;
             freeSkins();
-            skins = new Baked("skin", TEXELS, TEXELS, Skin.values().length, wanted);
+            skins = new Baked("skin", TEXELS, TEXELS, Skin.values().length, wanted, all -> {});
             skins.shrink();
         }
     }
@@ -149,17 +150,17 @@ final class BodyBatch {
     }
 
     /** Draws what was gathered, and empties the batch. */
-    void draw(float pixelRatio) {
+    void draw(Layout layout) {
         bodyProgram.use();
         bodyProgram.set("veil", (float) veil);
-        shadows.draw(shadowProgram, pixelRatio);
+        shadows.draw(shadowProgram, layout);
         skins.bind();
-        bodies.draw(bodyProgram, pixelRatio);
-        liftedShadows.draw(shadowProgram, pixelRatio);
-        lifted.draw(bodyProgram, pixelRatio);
-        faces.draw(pixelRatio, veil);
-        dots.draw(dotProgram, pixelRatio);
-        particles.draw();
+        bodies.draw(bodyProgram, layout);
+        liftedShadows.draw(shadowProgram, layout);
+        lifted.draw(bodyProgram, layout);
+        faces.draw(layout, veil);
+        dots.draw(dotProgram, layout);
+        particles.draw(layout);
     }
 
     void free() {

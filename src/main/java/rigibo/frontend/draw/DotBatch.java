@@ -2,6 +2,7 @@ package rigibo.frontend.draw;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 
 import java.nio.FloatBuffer;
 
@@ -63,8 +64,8 @@ final class DotBatch {
         add(at, localX + upX * aside, localY + upY * aside, 0.5 * radius, RIVET_GLINT);
     }
 
-    void draw(Program program, float pixelRatio) {
-        triangles.draw(program, pixelRatio);
+    void draw(Program program, Layout layout) {
+        triangles.draw(program, layout);
     }
 
     void free() {

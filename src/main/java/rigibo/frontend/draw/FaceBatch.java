@@ -2,6 +2,7 @@ package rigibo.frontend.draw;
 
 import rigibo.frontend.scene.Canvas.Mood;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 
 /**
  * Faces of RigiBos, drawn by one call from a sheet of expressions; pupils are drawn as separate
@@ -40,7 +41,13 @@ final class FaceBatch {
 
     private final Program program = new Program("face", "face");
     private final Baked sheet =
-            new Baked("expression", TEXELS, TEXELS, Expression.values().length, Detail.FULL);
+            new Baked(
+                    "expression",
+                    TEXELS,
+                    TEXELS,
+                    Expression.values().length,
+                    Detail.FULL,
+                    all -> {});
 
     /** Position, place on the sheet and its layer. */
     private final Triangles triangles = new Triangles(2, 3);
@@ -85,11 +92,11 @@ final class FaceBatch {
         to.add(at, x - GLINT * unit, y + GLINT * unit, GLINT * unit, Color.TEXT);
     }
 
-    void draw(float pixelRatio, double veil) {
+    void draw(Layout layout, double veil) {
         sheet.bind();
         program.use();
         program.set("veil", (float) veil);
-        triangles.draw(program, pixelRatio);
+        triangles.draw(program, layout);
         count = 0;
     }
 

@@ -2,7 +2,7 @@ package rigibo.frontend.draw;
 
 import static org.lwjgl.opengl.GL33C.*;
 
-import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Layout;
 
 import java.nio.FloatBuffer;
 
@@ -30,12 +30,12 @@ final class Instances {
     }
 
     /** Draws the collected instances, if there are any, and empties the collection. */
-    void draw(Program program) {
+    void draw(Program program, Layout layout) {
         if (gathered.isEmpty()) {
             return;
         }
         program.use();
-        program.set("screen", Scene.WIDTH, Scene.HEIGHT);
+        program.set("window", layout);
         int count = gathered.upload();
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners, count);
         gathered.clear();

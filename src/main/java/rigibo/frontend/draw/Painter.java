@@ -7,7 +7,7 @@ import rigibo.frontend.draw.ParticleBatch.Kind;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
-import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Skin;
 
 /**
@@ -23,49 +23,59 @@ public final class Painter implements Canvas {
     private final Marks marks = new Marks();
     private Baked ground;
     private Detail detail;
-    private float pixelRatio = 1;
+    private Layout layout = Layout.ALONE;
 
     /**
-     * Begins a frame on a framebuffer of a size in pixels; the picture keeps its proportions.
+     * Begins a frame that fills a framebuffer with what a layout for its size in pixels shows.
      * Seconds since the start let faces blink.
      */
-    public void begin(int framebufferWidth, int framebufferHeight, double seconds, Detail wanted) {
-        Letterbox box = Letterbox.of(framebufferWidth, framebufferHeight);
-        bodies.begin(seconds, wanted);
-        if (ground == null || !ground.fits(box) || wanted != detail) {
-            layGround(box, wanted);
+    public void begin(Layout wanted, double seconds, Detail most) {
+        bodies.begin(seconds, most);
+        if (ground == null || !wanted.equals(layout) || most != detail) {
+            layout = wanted;
+            detail = most;
+            layGround();
         }
-        if (box.width() < framebufferWidth || box.height() < framebufferHeight) {
-            glViewport(0, 0, framebufferWidth, framebufferHeight);
-            glClearColor(0.07f, 0.08f, 0.13f, 1);
-            glClear(GL_COLOR_BUFFER_BIT);
-        }
-        glViewport(box.x(), box.y(), box.width(), box.height());
-        ground.copyTo(box);
-        pixelRatio = (float) box.width() / Scene.WIDTH;
-        pen.begin(pixelRatio);
+        glViewport(0, 0, pixels(layout.width()), pixels(layout.height()));
+        ground.copy();
+        pen.begin(layout);
     }
 
-    private void layGround(Letterbox box, Detail wanted) {
-        detail = wanted;
+    private void layGround() {
         if (ground != null) {
             ground.free();
         }
-        ground = new Baked("ground", box.width(), box.height(), 1, wanted);
+        ground =
+                new Baked(
+                        "ground",
+                        pixels(layout.width()),
+                        pixels(layout.height()),
+                        1,
+                        detail,
+                        shader -> shader.set("window", layout));
+    }
+
+    private int pixels(double logical) {
+        return (int) Math.round(logical * layout.ratio());
+    }
+
+    @Override
+    public Layout layout() {
+        return layout;
     }
 
     /** Ends the frame, darkened by a share from 0, not at all, to 1, black. */
     public void end(double darkness) {
         flush();
         if (darkness > 0) {
-            plates.add(0, 0, Scene.WIDTH, Scene.HEIGHT, 0, Color.NIGHT.alpha(darkness));
-            plates.draw(pixelRatio);
+            cover(Color.NIGHT.alpha(darkness));
+            plates.draw(layout);
         }
     }
 
     private void flush() {
-        bodies.draw(pixelRatio);
-        plates.draw(pixelRatio);
+        bodies.draw(layout);
+        plates.draw(layout);
         pen.end();
         marks.clear();
     }
@@ -150,7 +160,7 @@ public final class Painter implements Canvas {
     public void panel(double x, double y, double width, double height, double corner, Color color) {
         if (marks.meet(x, y, x + width, y + height)) {
             flush();
-            pen.begin(pixelRatio);
+            pen.begin(layout);
         }
         plates.add(x, y, width, height, corner, color);
     }
@@ -167,20 +177,21 @@ public final class Painter implements Canvas {
     @Override
     public void text(
             String words, double x, double y, double size, Font font, Align align, Color color) {
-        double width = pen.textWidth(words, size, font);
+        double width = textWidth(words, size, font);
         double left =
                 switch (align) {
                     case LEFT -> x;
                     case CENTRE -> x - width / 2;
                     case RIGHT -> x - width;
                 };
-        marks.add(left, y - size / 2, left + width, y + size / 2);
-        pen.text(words, x, y, size, font, align, color);
+        double drawn = layout.textSize(size);
+        marks.add(left, y - drawn / 2, left + width, y + drawn / 2);
+        pen.text(words, x, y, drawn, font, align, color);
     }
 
     @Override
     public double textWidth(String words, double size, Font font) {
-        return pen.textWidth(words, size, font);
+        return pen.textWidth(words, layout.textSize(size), font);
     }
 
     @Override

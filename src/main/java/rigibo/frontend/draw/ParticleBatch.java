@@ -1,6 +1,7 @@
 package rigibo.frontend.draw;
 
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 
 import java.nio.FloatBuffer;
 
@@ -33,8 +34,8 @@ final class ParticleBatch {
         to.put(kind.ordinal());
     }
 
-    void draw() {
-        instances.draw(program);
+    void draw(Layout layout) {
+        instances.draw(program, layout);
     }
 
     void free() {

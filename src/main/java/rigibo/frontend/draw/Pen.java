@@ -9,7 +9,7 @@ import rigibo.frontend.scene.Canvas.Align;
 import rigibo.frontend.scene.Canvas.Font;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.DisplayException;
-import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Layout;
 
 /** Text, lines, rings and graphs by NanoVG. */
 final class Pen {
@@ -34,8 +34,10 @@ final class Pen {
         }
     }
 
-    void begin(float pixelRatio) {
-        nvgBeginFrame(context, Scene.WIDTH, Scene.HEIGHT, pixelRatio);
+    void begin(Layout layout) {
+        nvgBeginFrame(
+                context, (float) layout.width(), (float) layout.height(), (float) layout.ratio());
+        nvgTranslate(context, (float) -layout.left(), (float) -layout.top());
     }
 
     void end() {

@@ -1,6 +1,7 @@
 package rigibo.frontend.draw;
 
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 
 import java.nio.FloatBuffer;
 
@@ -51,8 +52,8 @@ final class Plates {
     }
 
     /** Draws the plates that were added since the last call. */
-    void draw(float pixelRatio) {
-        triangles.draw(program, pixelRatio);
+    void draw(Layout layout) {
+        triangles.draw(program, layout);
     }
 
     void free() {

@@ -2,6 +2,8 @@ package rigibo.frontend.draw;
 
 import static org.lwjgl.opengl.GL33C.*;
 
+import rigibo.frontend.scene.Layout;
+
 /** A compiled and linked pair of shaders. */
 final class Program {
 
@@ -41,8 +43,14 @@ final class Program {
         glUniform1f(glGetUniformLocation(id, uniform), value);
     }
 
-    void set(String uniform, float x, float y) {
-        glUniform2f(glGetUniformLocation(id, uniform), x, y);
+    /** Sets what a window shows: its left and upper edge, width and height. */
+    void set(String uniform, Layout layout) {
+        glUniform4f(
+                glGetUniformLocation(id, uniform),
+                (float) layout.left(),
+                (float) layout.top(),
+                (float) layout.width(),
+                (float) layout.height());
     }
 
     void free() {

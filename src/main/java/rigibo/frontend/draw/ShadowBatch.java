@@ -1,6 +1,7 @@
 package rigibo.frontend.draw;
 
 import rigibo.backend.geometry.Polygon;
+import rigibo.frontend.scene.Layout;
 
 import java.nio.FloatBuffer;
 
@@ -52,8 +53,8 @@ final class ShadowBatch {
         at.shift(-fallX, -fallY);
     }
 
-    void draw(Program program, float pixelRatio) {
-        triangles.draw(program, pixelRatio);
+    void draw(Program program, Layout layout) {
+        triangles.draw(program, layout);
     }
 
     void free() {

@@ -2,6 +2,7 @@ package rigibo.frontend.draw;
 
 import rigibo.backend.geometry.Polygon;
 import rigibo.frontend.scene.Canvas.Mood;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Skin;
 
 import java.nio.FloatBuffer;
@@ -85,8 +86,8 @@ final class SkinBatch {
         };
     }
 
-    void draw(Program program, float pixelRatio) {
-        triangles.draw(program, pixelRatio);
+    void draw(Program program, Layout layout) {
+        triangles.draw(program, layout);
     }
 
     void free() {

@@ -2,7 +2,7 @@ package rigibo.frontend.draw;
 
 import static org.lwjgl.opengl.GL33C.*;
 
-import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Layout;
 
 import java.nio.FloatBuffer;
 
@@ -26,18 +26,14 @@ final class Triangles {
         return gathered.next();
     }
 
-    /**
-     * Draws the collected triangles, if there are any, and empties the collection.
-     *
-     * @param ratio framebuffer pixels per logical one, for smooth edges
-     */
-    void draw(Program program, float ratio) {
+    /** Draws the collected triangles, if there are any, and empties the collection. */
+    void draw(Program program, Layout layout) {
         if (gathered.isEmpty()) {
             return;
         }
         program.use();
-        program.set("screen", Scene.WIDTH, Scene.HEIGHT);
-        program.set("ratio", ratio);
+        program.set("window", layout);
+        program.set("ratio", (float) layout.ratio());
         glDrawArrays(GL_TRIANGLES, 0, gathered.upload());
         gathered.clear();
     }

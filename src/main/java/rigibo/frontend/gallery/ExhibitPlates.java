@@ -3,6 +3,7 @@ package rigibo.frontend.gallery;
 import rigibo.backend.Pool;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
@@ -12,7 +13,8 @@ import rigibo.frontend.scene.widget.Print;
 import java.util.stream.Collectors;
 
 /**
- * The plates around a running exhibit: title, sentence and effects above, source and keys below.
+ * The plates around a running exhibit: title, sentence and effects above, source and keys below; in
+ * a column beside it where the window has room for one.
  */
 final class ExhibitPlates {
 
@@ -30,6 +32,11 @@ final class ExhibitPlates {
     private static final double INNER = WIDTH - 28;
     private static final double RIGHT = LEFT + WIDTH - 14;
 
+    /** Between two plates, px. */
+    private static final double GAP = 6;
+
+    private static final String BETWEEN_KEYS = "   ";
+
     private final Found found;
     private final Words words;
     private final ExhibitWords titles;
@@ -45,6 +52,34 @@ final class ExhibitPlates {
     }
 
     void draw(Canvas canvas, Pool pool, String figure, boolean isPaused) {
+        if (canvas.layout().columns() > 0) {
+            drawColumn(canvas, pool, isPaused ? words.of("gallery.paused") : figure);
+        } else {
+            drawOver(canvas, pool, figure, isPaused);
+        }
+    }
+
+    private void drawColumn(Canvas canvas, Pool pool, String state) {
+        Layout layout = canvas.layout();
+        ColumnPlate head = new ColumnPlate(canvas, layout.leftColumn(), layout.columnWidth());
+        head.add(title(), 24, Canvas.Font.WORDS, Color.BRASS);
+        head.add(titles.about(found), SIZE, Canvas.Font.WORDS, Color.TEXT);
+        head.add(effects(pool), SIZE, Canvas.Font.WORDS, Color.TEXT_DIM);
+        head.add(state, 20, Canvas.Font.WORDS, Color.BRASS);
+        ColumnPlate foot = new ColumnPlate(canvas, layout.leftColumn(), layout.columnWidth());
+        foot.add(found.source(), SIZE, Canvas.Font.NUMBERS, Color.TEXT);
+        foot.add(accuracy(pool), SIZE, Canvas.Font.WORDS, Color.BRASS);
+        for (String key : words.of("gallery.keys").split(BETWEEN_KEYS)) {
+            foot.add(key, SIZE, Canvas.Font.WORDS, Color.TEXT_DIM);
+        }
+        foot.draw(head.draw(LEFT) + GAP);
+    }
+
+    private static String accuracy(Pool pool) {
+        return Preset.of(pool.accuracy()).map(Preset::name).orElse("");
+    }
+
+    private void drawOver(Canvas canvas, Pool pool, String figure, boolean isPaused) {
         canvas.panel(LEFT, LEFT, WIDTH, HEAD, 12, Color.PANEL);
         Print.left(canvas, title(), INDENT, LEFT + 22, 24, Color.BRASS);
         String count = isPaused ? words.of("gallery.paused") : figure;
@@ -61,8 +96,7 @@ final class ExhibitPlates {
                 Canvas.Font.NUMBERS,
                 Canvas.Align.LEFT,
                 Color.TEXT);
-        String accuracy = Preset.of(pool.accuracy()).map(Preset::name).orElse("");
-        Print.right(canvas, accuracy, RIGHT, FOOT_TOP + 20, 16, Color.BRASS);
+        Print.right(canvas, accuracy(pool), RIGHT, FOOT_TOP + 20, 16, Color.BRASS);
         left(canvas, words.of("gallery.keys"), FOOT_TOP + 44, Color.TEXT_DIM);
     }
 

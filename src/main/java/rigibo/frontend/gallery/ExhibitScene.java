@@ -27,6 +27,10 @@ final class ExhibitScene implements Scene {
     private Camera camera;
     private Impacts impacts;
     private boolean isPaused;
+
+    /** Whether its plates are hidden. */
+    private boolean isBare;
+
     private boolean isPanning;
     private double lastX;
     private double lastY;
@@ -52,6 +56,11 @@ final class ExhibitScene implements Scene {
     }
 
     @Override
+    public boolean hasColumns() {
+        return true;
+    }
+
+    @Override
     public void step() {
         if (!isPaused) {
             advance();
@@ -71,7 +80,7 @@ final class ExhibitScene implements Scene {
         canvas.camera(camera);
         canvas.gaze(grip.pointerX(), grip.pointerY());
         for (RigidBody body : showing.pool().bodies()) {
-            if (isInView(body)) {
+            if (isInView(canvas, body)) {
                 canvas.body(
                         body.shape(),
                         body.x(),
@@ -84,14 +93,14 @@ final class ExhibitScene implements Scene {
         JointPicture.draw(canvas, camera, showing.pool().joints());
         CanvasSketch sketch = new CanvasSketch(canvas, camera, 1);
         showing.exhibit().sketch(showing.pool(), sketch);
-        plates.draw(canvas, showing.pool(), sketch.figure(), isPaused);
+        if (!isBare) {
+            plates.draw(canvas, showing.pool(), sketch.figure(), isPaused);
+        }
     }
 
-    private boolean isInView(RigidBody body) {
+    private boolean isInView(Canvas canvas, RigidBody body) {
         double radius = body.shape().boundingRadius() * camera.scale();
-        double x = camera.screenX(body.x());
-        double y = camera.screenY(body.y());
-        return x > -radius && x < WIDTH + radius && y > -radius && y < HEIGHT + radius;
+        return canvas.layout().shows(camera.screenX(body.x()), camera.screenY(body.y()), radius);
     }
 
     @Override
@@ -133,6 +142,7 @@ final class ExhibitScene implements Scene {
             case PERIOD -> advance();
             case R -> restart();
             case HOME -> camera.home();
+            case T -> isBare = !isBare;
             case LEFT_BRACKET -> show(-1);
             case RIGHT_BRACKET -> show(1);
             case DIGIT_1, DIGIT_2, DIGIT_3, DIGIT_4 ->

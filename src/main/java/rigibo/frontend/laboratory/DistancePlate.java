@@ -6,6 +6,9 @@ import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.ghost.DistanceCurve;
 import rigibo.frontend.scene.ghost.Divergence;
 import rigibo.frontend.scene.ghost.Metres;
+import rigibo.frontend.scene.widget.Lines;
+
+import java.util.List;
 
 /**
  * The distance between the two halves, now and as a curve, and whether their divergence is chaotic.
@@ -14,6 +17,7 @@ final class DistancePlate {
 
     private static final double PADDING = 12;
     private static final double LINE = 24;
+    private static final double SIZE = 16;
 
     private final DistanceCurve curve = new DistanceCurve();
     private final Words words;
@@ -42,19 +46,24 @@ final class DistancePlate {
                 Metres.words(divergence.distance()),
                 right,
                 upper,
-                16,
+                SIZE,
                 Canvas.Font.NUMBERS,
                 Canvas.Align.RIGHT,
                 Color.TEXT);
         double top = y + 4 + LINE;
-        curve.draw(canvas, divergence, left, top, right - left, height - 2 * LINE - 10);
-        double lower = y + height - 3 - LINE / 2;
         String note = divergence.parting().map(parting -> parting.in(words)).orElse(question);
+        List<String> lines = Lines.of(canvas, note, SIZE, Canvas.Font.WORDS, right - left);
+        double foot = lines.size() * LINE;
+        curve.draw(canvas, divergence, left, top, right - left, height - LINE - foot - 10);
+        double lower = y + height - 3 - foot + LINE / 2;
         Color color = divergence.parting().isPresent() ? Color.BRASS : Color.TEXT;
-        words(canvas, note, left, lower, color);
+        for (String line : lines) {
+            words(canvas, line, left, lower, color);
+            lower += LINE;
+        }
     }
 
     private static void words(Canvas canvas, String words, double x, double y, Color color) {
-        canvas.text(words, x, y, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
+        canvas.text(words, x, y, SIZE, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
     }
 }

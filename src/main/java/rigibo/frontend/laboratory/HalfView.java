@@ -4,6 +4,7 @@ import rigibo.backend.RigidBody;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
@@ -62,12 +63,12 @@ final class HalfView {
         number(canvas, words.of("laboratory.step", millis()), right, upper);
         words(
                 canvas,
-                words.of("side.energy"),
+                words.of("fold.energy"),
                 x + PADDING + 4,
                 lower,
                 Canvas.Align.LEFT,
                 Color.TEXT_DIM);
-        number(canvas, energy(), right, lower);
+        number(canvas, energy(canvas.layout()), right, lower);
     }
 
     private void drawRoom(Canvas canvas, List<Skin> skins) {
@@ -100,9 +101,11 @@ final class HalfView {
         return String.format(Locale.ROOT, "%.3f ms", half.medianMillis());
     }
 
-    private String energy() {
+    /** With as many digits as there is room for beside its name. */
+    private String energy(Layout layout) {
+        String digits = layout.type() > 1 ? "%.4f %%" : "%.7f %%";
         double percent = 100 * half.energyShare();
-        return words.of("laboratory.share", String.format(Locale.ROOT, "%.7f %%", percent));
+        return words.of("laboratory.share", String.format(Locale.ROOT, digits, percent));
     }
 
     private static void words(

@@ -149,10 +149,10 @@ public final class MenuScene implements Scene {
         Print.plate(canvas, tile, isChosen);
         double left = tile.x() + 16;
         double width = tile.width() - 32;
-        Print.left(canvas, entry.title().apply(words), left, tile.y() + 15, 20, Color.TEXT);
+        Print.left(canvas, entry.title().apply(words), left, tile.y() + 14, 20, Color.TEXT);
         String about =
                 Lines.shortened(canvas, entry.words().apply(words), 16, Canvas.Font.WORDS, width);
-        Print.left(canvas, about, left, tile.y() + 34, 16, Color.TEXT_DIM);
+        Print.left(canvas, about, left, tile.y() + 35, 16, Color.TEXT_DIM);
     }
 
     private Runnable pressing(Runnable action) {
@@ -184,11 +184,18 @@ public final class MenuScene implements Scene {
         Print.centred(canvas, tagline, MIDDLE, 152, 20, Color.TEXT);
         tiles.draw(canvas);
         Print.left(canvas, words.of("menu.physics"), CARDS_LEFT + 6, HEADING, 20, Color.TEXT);
-        canvas.panel(CARDS_LEFT, FOOT - 14, WIDTH - 2 * CARDS_LEFT, 28, 10, Color.PANEL);
-        Print.centred(canvas, words.of("menu.keys"), MIDDLE, FOOT, 16, Color.TEXT);
+        drawKeys(canvas);
         if (notice.isShown()) {
             notice.draw(canvas);
         }
+    }
+
+    private void drawKeys(Canvas canvas) {
+        String keys = words.of("menu.keys");
+        double needed = canvas.textWidth(keys, 16, Canvas.Font.WORDS) + 24;
+        double width = Math.max(WIDTH - 2 * CARDS_LEFT, needed);
+        canvas.panel(MIDDLE - width / 2, FOOT - 14, width, 28, 10, Color.PANEL);
+        Print.centred(canvas, keys, MIDDLE, FOOT, 16, Color.TEXT);
     }
 
     @Override

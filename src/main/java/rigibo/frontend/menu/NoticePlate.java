@@ -47,7 +47,7 @@ final class NoticePlate {
         }
         double height = 2 * PADDING + LINE * lines.size() + FOOT;
         double top = (Scene.HEIGHT - height) / 2;
-        canvas.panel(0, 0, Scene.WIDTH, Scene.HEIGHT, 0, Color.DUSK_TOP.alpha(0.96));
+        canvas.cover(Color.DUSK_TOP.alpha(0.96));
         canvas.panel(LEFT, top, WIDTH, height, 18, Color.PANEL_LIT);
         canvas.frame(LEFT, top, WIDTH, height, 18, Color.BRASS);
         double y = top + PADDING + LINE / 2;

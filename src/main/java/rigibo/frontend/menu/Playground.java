@@ -61,10 +61,15 @@ final class Playground {
     void draw(Canvas canvas) {
         canvas.camera(camera);
         canvas.gaze(camera.worldX(watchedX), camera.worldY(watchedY));
-        canvas.body(Polygon.box(9.4, 1), 4.5, -0.02, 0, Skin.WOOD, Canvas.Mood.PLAIN);
+        canvas.body(plank(canvas), 4.5, -0.02, 0, Skin.WOOD, Canvas.Mood.PLAIN);
         for (RigidBody box : boxes) {
             canvas.body(box.shape(), box.x(), box.y(), box.angle(), Skin.RIGIBO, Canvas.Mood.PLAIN);
         }
         canvas.body(ball.shape(), ball.x(), ball.y(), ball.angle(), Skin.BALL, Canvas.Mood.PLAIN);
+    }
+
+    /** The floor from one edge of the window to the other, its ends out of sight. */
+    private static Polygon plank(Canvas canvas) {
+        return Polygon.box(canvas.layout().width() / Camera.DEFAULT_SCALE + 0.4, 1);
     }
 }

@@ -1,13 +1,17 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.effects.SceneEffects;
 import rigibo.frontend.scene.trial.Trials;
 
-/** The effects bar of a level. While it is closed nothing is measured. */
+/** The effects bar of a level, above the play or beside it. While closed it measures nothing. */
 final class EffectsDrawer {
+
+    private static final double LEFT = 8;
 
     /** Upper edge of the open bar, px: below the bar with title and clicks. */
     private static final double TOP = View.BAR_FOOT + 6;
@@ -22,8 +26,20 @@ final class EffectsDrawer {
         bar = new EffectsBar(effects, new CostMeter(trials));
     }
 
+    /** Draws the bar beside the play, in the right column. */
+    void drawBeside(Canvas canvas) {
+        Layout layout = canvas.layout();
+        bar.draw(canvas, layout.rightColumn(), LEFT, layout.columnWidth());
+    }
+
+    /** Whether a point lies on the bar as it was last drawn. */
+    boolean contains(double x, double y) {
+        return bar.contains(x, y);
+    }
+
+    /** Draws the bar above the play. */
     void draw(Canvas canvas) {
-        bar.draw(canvas, TOP);
+        bar.draw(canvas, LEFT, TOP, Scene.WIDTH - 2 * LEFT);
     }
 
     /** Called after each frame that shows it. */

@@ -18,7 +18,7 @@ import java.util.Optional;
 /** The panel at the end of a try: how it ended, what it earned, and what can be done next. */
 final class EndPanel {
 
-    private static final double WIDTH = 600;
+    private static final double WIDTH = 620;
     private static final double LEFT = (Scene.WIDTH - WIDTH) / 2;
     private static final double PADDING = 20;
     private static final double MIDDLE = Scene.WIDTH / 2.0;

@@ -5,10 +5,15 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
+import rigibo.frontend.scene.widget.Print;
 
 import java.util.List;
 
-/** The level's hint, between the bar and the play, with a button that shows the solution. */
+/**
+ * The level's hint, between the bar and the play or beside it, with a button that shows the
+ * solution.
+ */
 final class HintPlate {
 
     private static final double EDGE = 8;
@@ -18,40 +23,81 @@ final class HintPlate {
     /** Upper edge of the play while the plate is shown, px. */
     static final double FOOT = TOP + HEIGHT + 6;
 
-    private static final double TEXT_LEFT = EDGE + 52;
+    /** Room for the bulb before the text, px. */
+    private static final double INDENT = 52;
+
     private static final double BUTTON_WIDTH = 190;
     private static final double BUTTON_LEFT = Scene.WIDTH - EDGE - 10 - BUTTON_WIDTH;
+    private static final double BUTTON_TOP = TOP + (HEIGHT - ButtonRow.HEIGHT) / 2;
     private static final double SIZE = 17;
     private static final double LINE = 22;
 
     private final String hint;
-    private final ButtonRow buttons =
-            new ButtonRow(
-                    BUTTON_LEFT,
-                    TOP + (HEIGHT - ButtonRow.HEIGHT) / 2,
-                    BUTTON_WIDTH,
-                    List.of(Command.SOLUTION));
     private final boolean hasSolution;
+    private Plate place = Plate.NONE;
+
+    /** Where the button is that shows the solution. */
+    private Plate button = Plate.NONE;
+
+    private ButtonRow buttons;
 
     HintPlate(String hint, boolean hasSolution) {
         this.hint = hint;
         this.hasSolution = hasSolution;
+        put(new Plate(BUTTON_LEFT, BUTTON_TOP, BUTTON_WIDTH, ButtonRow.HEIGHT));
     }
 
+    private void put(Plate there) {
+        if (!there.equals(button)) {
+            button = there;
+            List<Command> commands = List.of(Command.SOLUTION);
+            buttons = new ButtonRow(button.x(), button.y(), button.width(), commands);
+        }
+    }
+
+    /** Draws it above the play. */
     void draw(Canvas canvas, Words words) {
-        canvas.panel(EDGE, TOP, Scene.WIDTH - 2 * EDGE, HEIGHT, 14, Color.PANEL);
-        drawBulb(canvas, EDGE + 28, TOP + HEIGHT / 2);
+        put(new Plate(BUTTON_LEFT, BUTTON_TOP, BUTTON_WIDTH, ButtonRow.HEIGHT));
         double right = hasSolution ? BUTTON_LEFT : Scene.WIDTH - EDGE;
-        List<String> lines =
-                Lines.of(canvas, hint, SIZE, Canvas.Font.WORDS, right - 10 - TEXT_LEFT);
-        double y = TOP + HEIGHT / 2 - (lines.size() - 1) * LINE / 2;
-        for (String line : lines) {
-            canvas.text(line, TEXT_LEFT, y, SIZE, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
-            y += LINE;
+        List<String> lines = lines(canvas, right - EDGE - INDENT - 10);
+        place = new Plate(EDGE, TOP, Scene.WIDTH - 2 * EDGE, HEIGHT);
+        double first = TOP + HEIGHT / 2 - (lines.size() - 1) * LINE / 2;
+        draw(canvas, words, TOP + HEIGHT / 2, lines, first);
+    }
+
+    /** Draws it beside the play, in the right column, with the button below the hint. */
+    void drawBeside(Canvas canvas, Words words) {
+        double x = canvas.layout().rightColumn();
+        double width = canvas.layout().columnWidth();
+        List<String> lines = lines(canvas, width - INDENT - 10);
+        double below = EDGE + 10 + lines.size() * LINE + 8;
+        put(new Plate(x + 10, below, width - 20, ButtonRow.HEIGHT));
+        double height = (hasSolution ? below + ButtonRow.HEIGHT + 10 : below) - EDGE;
+        place = new Plate(x, EDGE, width, height);
+        double first = EDGE + 10 + LINE / 2;
+        draw(canvas, words, first + 6, lines, first);
+    }
+
+    private List<String> lines(Canvas canvas, double width) {
+        return Lines.of(canvas, hint, SIZE, Canvas.Font.WORDS, width);
+    }
+
+    private void draw(
+            Canvas canvas, Words words, double bulb, List<String> lines, double firstLine) {
+        canvas.panel(place.x(), place.y(), place.width(), place.height(), 14, Color.PANEL);
+        drawBulb(canvas, place.x() + 28, bulb);
+        for (int i = 0; i < lines.size(); i++) {
+            double y = firstLine + i * LINE;
+            Print.left(canvas, lines.get(i), place.x() + INDENT, y, SIZE, Color.TEXT);
         }
         if (hasSolution) {
             buttons.draw(canvas, words);
         }
+    }
+
+    /** Whether a point lies on the plate as it was last drawn. */
+    boolean contains(double x, double y) {
+        return place.contains(x, y);
     }
 
     private static void drawBulb(Canvas canvas, double x, double y) {

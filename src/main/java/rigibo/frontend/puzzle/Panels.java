@@ -5,6 +5,7 @@ import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
@@ -30,9 +31,13 @@ final class Panels {
             Hud.buttons(Command.RESUME, Command.RESTART, Command.LEVELS, Command.MENU);
     private final ButtonRow stop = Hud.buttons(Command.STOP);
     private Drawer open = Drawer.NONE;
+
+    /** Whether the window has room for what opens beside the play. */
+    private boolean isBeside;
+
     private Optional<EndPanel> end = Optional.empty();
 
-    /** The panels of which one may be open between the bar and the play. */
+    /** The panels of which one may be open, between the bar and the play or beside it. */
     enum Drawer {
         NONE(View.BAR_FOOT),
         EFFECTS(EffectsDrawer.FOOT),
@@ -58,23 +63,41 @@ final class Panels {
     /** Opens a drawer, or closes it if it is open. */
     void toggle(Drawer drawer) {
         open = open == drawer ? Drawer.NONE : drawer;
-        view.fitBelow(open.foot);
+        fit();
+    }
+
+    private void fit() {
+        view.fitBelow(foot());
         end.ifPresent(this::place);
+    }
+
+    /** Upper edge of the play, px: what opens beside it takes nothing from it. */
+    private double foot() {
+        return isBeside ? View.BAR_FOOT : open.foot;
+    }
+
+    /** Takes what the window shows, before the play is drawn: that may be larger beside panels. */
+    void layOut(Layout layout) {
+        boolean isWide = layout.columns() == 2;
+        if (isWide != isBeside) {
+            isBeside = isWide;
+            fit();
+        }
     }
 
     private void place(EndPanel panel) {
         double highest =
                 session.game().balls().stream()
                         .mapToDouble(ball -> view.camera().screenY(ball.y()))
-                        .filter(y -> y > open.foot)
+                        .filter(y -> y > foot())
                         .min()
                         .orElse(Scene.HEIGHT);
-        panel.place(open.foot, highest);
+        panel.place(foot(), highest);
     }
 
     void shut() {
         open = Drawer.NONE;
-        view.fitBelow(open.foot);
+        view.fitBelow(foot());
     }
 
     boolean isOpen(Drawer drawer) {
@@ -120,14 +143,30 @@ final class Panels {
         } else {
             hud.draw(canvas, words, session, refusal, motion);
         }
-        switch (open) {
-            case NONE -> {}
-            case EFFECTS -> effects.draw(canvas);
-            case HINT -> hint.draw(canvas, words);
-        }
-        session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, open.foot));
+        drawDrawer(canvas);
+        session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, foot()));
         keys.draw(canvas, words, commands(hasHint), lit());
         end().ifPresent(panel -> panel.draw(canvas, words, motion));
+    }
+
+    private void drawDrawer(Canvas canvas) {
+        switch (open) {
+            case NONE -> {}
+            case EFFECTS -> {
+                if (isBeside) {
+                    effects.drawBeside(canvas);
+                } else {
+                    effects.draw(canvas);
+                }
+            }
+            case HINT -> {
+                if (isBeside) {
+                    hint.drawBeside(canvas, words);
+                } else {
+                    hint.draw(canvas, words);
+                }
+            }
+        }
     }
 
     private List<Command> commands(boolean hasHint) {
@@ -177,9 +216,18 @@ final class Panels {
 
     /** Whether a point lies on a panel, so that a click there does not go to the play. */
     boolean cover(double x, double y) {
-        return y < open.foot
+        return y < foot()
+                || isOnDrawer(x, y)
                 || KeyStrip.contains(y)
                 || end().filter(p -> p.contains(x, y)).isPresent();
+    }
+
+    private boolean isOnDrawer(double x, double y) {
+        return switch (open) {
+            case NONE -> false;
+            case EFFECTS -> effects.contains(x, y);
+            case HINT -> hint.contains(x, y);
+        };
     }
 
     /** Handles a click on a panel outside its buttons. */

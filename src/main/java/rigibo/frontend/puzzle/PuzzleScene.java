@@ -82,6 +82,7 @@ public final class PuzzleScene implements Scene {
 
     @Override
     public void draw(Canvas canvas) {
+        panels.layOut(canvas.layout());
         table.draw(canvas, motion());
         lesson.draw(canvas, session, view.camera(), motion());
         panels.draw(canvas, table.refusal(), hasHint(), motion());

@@ -36,6 +36,9 @@ public interface Canvas {
         CHEERING
     }
 
+    /** What the window shows, and where in it the scene lies. */
+    Layout layout();
+
     /** Draws the world through a camera from now on. */
     void camera(Camera camera);
 
@@ -84,13 +87,22 @@ public interface Canvas {
     /** A filled rectangle with round corners. */
     void panel(double x, double y, double width, double height, double corner, Color color);
 
+    /** Fills the whole window. */
+    default void cover(Color color) {
+        Layout all = layout();
+        panel(all.left(), all.top(), all.width(), all.height(), 0, color);
+    }
+
     /** The edge of a rectangle with round corners. */
     void frame(double x, double y, double width, double height, double corner, Color color);
 
-    /** Text with its middle height at y; sizes of 16 px or more. */
+    /**
+     * Text with its middle height at y; sizes of 16 px or more. In a small window small text is
+     * drawn larger than that, see {@link Layout#textSize}.
+     */
     void text(String words, double x, double y, double size, Font font, Align align, Color color);
 
-    /** Width of a text, px. */
+    /** Width of a text as it would be drawn, px. */
     double textWidth(String words, double size, Font font);
 
     /** A curve through values from 0 (bottom) to 1 (top), evenly spaced over a rectangle. */

@@ -3,10 +3,13 @@ package rigibo.frontend.scene;
 import java.util.Optional;
 import java.util.Set;
 
-/** The content of a window: a menu, a demo, a level. Coordinates are logical pixels, y down. */
+/**
+ * The content of a window: a menu, a demo, a level. Coordinates are logical pixels, y down; in a
+ * window of another shape than the scene's they go on beyond its edges, see {@link Layout}.
+ */
 public interface Scene {
 
-    /** Width and height of a window in logical pixels. */
+    /** Width and height of a scene in logical pixels. */
     int WIDTH = 720;
 
     int HEIGHT = 800;
@@ -16,6 +19,11 @@ public interface Scene {
 
     /** The window's title. */
     String title();
+
+    /** Whether it has plates that stand beside it where the window has room for them. */
+    default boolean hasColumns() {
+        return false;
+    }
 
     /**
      * Goes on by one {@link #STEP}: once in a turn of the loop, more often when pictures are late.

@@ -47,7 +47,7 @@ class DemoEffectsTest {
     }
 
     private static List<String> lit(Scene scene) {
-        RecordingCanvas canvas = RecordingCanvas.of(scene);
+        RecordingCanvas canvas = RecordingCanvas.of(scene, EveryDemo.WIDE);
         return chips(canvas).stream()
                 .filter(title -> canvas.plateOf(title).equals(Color.BRASS))
                 .toList();
@@ -58,7 +58,7 @@ class DemoEffectsTest {
     }
 
     private static void click(Scene scene, String words) {
-        double[] at = RecordingCanvas.of(scene).middleOf(words);
+        double[] at = RecordingCanvas.of(scene, EveryDemo.WIDE).middleOf(words);
         scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
         scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
@@ -84,12 +84,12 @@ class DemoEffectsTest {
     @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void everyEffectCanBeTriedAndRRestoresTheSet(Function<Words, Demo> maker) {
         Scene scene = open(maker);
-        for (String chip : chips(RecordingCanvas.of(scene))) {
+        for (String chip : chips(RecordingCanvas.of(scene, EveryDemo.WIDE))) {
             click(scene, chip);
             for (int i = 0; i < 30; i++) {
                 scene.step();
             }
-            assertThat(Legibility.faults(scene)).as(chip).isEmpty();
+            assertThat(Legibility.faults(scene, EveryDemo.WIDE)).as(chip).isEmpty();
             scene.keyPressed(Key.R);
             assertThat(lit(scene)).as(chip).hasSameElementsAs(declared(maker));
         }
@@ -101,11 +101,11 @@ class DemoEffectsTest {
         Scene scene = open(maker);
         click(scene, "gravity");
         scene.pointerMoved(-1, -1);
-        assertThat(RecordingCanvas.of(scene).texts())
+        assertThat(RecordingCanvas.of(scene, EveryDemo.WIDE).texts())
                 .anyMatch(words -> words.startsWith("an experiment"));
         click(scene, "gravity");
         scene.pointerMoved(-1, -1);
-        assertThat(RecordingCanvas.of(scene).texts())
+        assertThat(RecordingCanvas.of(scene, EveryDemo.WIDE).texts())
                 .noneMatch(words -> words.startsWith("an experiment"));
     }
 }

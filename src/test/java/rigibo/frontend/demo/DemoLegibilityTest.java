@@ -7,18 +7,35 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Settings;
 
+import java.util.List;
 import java.util.stream.Stream;
 
 /** Whatever a demo shows can be read. */
 class DemoLegibilityTest {
 
     private static final int SECOND = 60;
+
+    /** The usual window, the smallest, and those with one column and two, at most shapes. */
+    private static final List<Layout> LAYOUTS =
+            Stream.of(
+                            Layout.of(612, 680, 1),
+                            Layout.of(1024, 768, 1),
+                            Layout.of(1000, 800, 1),
+                            Layout.of(1000, 680, 1),
+                            Layout.of(1280, 800, 1),
+                            Layout.of(1366, 680, 1),
+                            Layout.of(1920, 1080, 1),
+                            Layout.ALONE)
+                    .map(Layout::withColumns)
+                    .toList();
 
     static Stream<Arguments> demos() {
         return Demos.entries().stream()
@@ -42,18 +59,38 @@ class DemoLegibilityTest {
             run(scene, SECOND);
             assertLegible(scene);
         }
+        scene.closed();
     }
 
     @ParameterizedTest
     @MethodSource("demos")
     void isLegibleWithHelpDebuggingAndPaused(SceneEntry demo, String language) {
-        for (Key key : new Key[] {Key.F1, Key.D, Key.SPACE, Key.N, Key.G}) {
+        for (Key key : new Key[] {Key.F1, Key.D, Key.SPACE, Key.C, Key.E, Key.N, Key.G, Key.T}) {
             Scene scene = open(demo, language);
             run(scene, SECOND);
             scene.keyPressed(key);
             run(scene, 2);
             assertLegible(scene);
         }
+    }
+
+    /** What is told of the dial, of the numbers beside or below it, and of each effect. */
+    @ParameterizedTest
+    @MethodSource("demos")
+    void isLegibleWhateverIsPointedAt(SceneEntry demo, String language) {
+        Scene scene = open(demo, language);
+        run(scene, 2);
+        for (Layout layout : LAYOUTS) {
+            RecordingCanvas canvas = RecordingCanvas.of(scene, layout);
+            for (String words : canvas.texts()) {
+                double[] at = canvas.firstMiddleOf(words);
+                scene.pointerMoved(at[0], at[1]);
+                assertThat(Legibility.faults(scene, layout))
+                        .as("%s in %s at %s", scene.title(), layout, words)
+                        .isEmpty();
+            }
+        }
+        scene.closed();
     }
 
     private static Scene open(SceneEntry demo, String language) {
@@ -67,6 +104,8 @@ class DemoLegibilityTest {
     }
 
     private static void assertLegible(Scene scene) {
-        assertThat(Legibility.faults(scene)).as(scene.title()).isEmpty();
+        for (Layout layout : LAYOUTS) {
+            assertThat(Legibility.faults(scene, layout)).as(scene.title() + layout).isEmpty();
+        }
     }
 }

@@ -1,5 +1,6 @@
 package rigibo.frontend.demo;
 
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Words;
 
 import java.util.function.Function;
@@ -7,6 +8,9 @@ import java.util.stream.Stream;
 
 /** The demos, for tests that ask all of them. */
 final class EveryDemo {
+
+    /** A window in which all plates stand beside the scene. */
+    static final Layout WIDE = Layout.of(1920, 1080, 1).withColumns();
 
     private EveryDemo() {}
 

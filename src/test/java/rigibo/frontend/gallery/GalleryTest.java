@@ -13,6 +13,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
@@ -34,6 +35,9 @@ import java.util.stream.IntStream;
 
 /** The gallery, used as a player does, with everything that the game ships in it. */
 class GalleryTest {
+
+    /** With plates beside the exhibit. */
+    private static final Layout WIDE = Layout.of(1280, 800, 1).withColumns();
 
     private static final Path HOME = Path.of(System.getProperty("rigibo.home", ""));
 
@@ -81,8 +85,24 @@ class GalleryTest {
             }
             scene.keyPressed(Key.SPACE);
             assertThat(Legibility.faults(scene)).isEmpty();
+            assertThat(Legibility.faults(scene, WIDE)).isEmpty();
             assertThat(RecordingCanvas.of(scene).texts()).contains(found.source());
         }
+    }
+
+    /** In wide windows nothing lies over an exhibit, and T hides what lies over it in others. */
+    @Test
+    void platesStandBesideAnExhibitOrAreHiddenByAKey() {
+        Found found = Exhibits.all().get(0);
+        Scene scene = new ExhibitScene(new RecordingDirector(), found);
+        RecordingCanvas wide = RecordingCanvas.of(scene, WIDE);
+        assertThat(wide.middleOf("GAME")[0]).isNegative();
+        for (int y = 4; y < Scene.HEIGHT; y += 8) {
+            assertThat(wide.isUnderPanel(Scene.WIDTH / 2.0, y)).as("at %s", y).isFalse();
+        }
+        assertThat(RecordingCanvas.of(scene).isUnderPanel(Scene.WIDTH / 2.0, 50)).isTrue();
+        scene.keyPressed(Key.T);
+        assertThat(RecordingCanvas.of(scene).isUnderPanel(Scene.WIDTH / 2.0, 50)).isFalse();
     }
 
     /** Whatever it does by itself it does the same way again: no clock and no chance is in it. */

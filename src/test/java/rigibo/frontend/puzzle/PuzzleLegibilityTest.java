@@ -7,6 +7,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
@@ -15,6 +16,7 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Settings;
 
+import java.util.List;
 import java.util.stream.Stream;
 
 /** Whatever a level shows can be read, in every language, and covers none of the play. */
@@ -36,6 +38,10 @@ class PuzzleLegibilityTest {
             return level.name() + " in " + language;
         }
     }
+
+    /** Windows with room for columns: the least of it, in a low one, and more than enough. */
+    private static final List<Layout> WIDE =
+            List.of(Layout.of(1280, 800, 1), Layout.of(1366, 680, 1), Layout.of(1920, 1080, 1));
 
     static Stream<Case> cases() {
         return Levels.entries().stream()
@@ -108,6 +114,9 @@ class PuzzleLegibilityTest {
     }
 
     private static void assertLegible(Scene scene) {
+        for (Layout wide : WIDE) {
+            assertThat(Legibility.faults(scene, wide)).as(scene.title() + wide).isEmpty();
+        }
         assertThat(Legibility.faults(scene)).as(scene.title()).isEmpty();
     }
 

@@ -8,40 +8,54 @@ import java.util.List;
 /** What is wrong with the texts of a picture. */
 public final class Legibility {
 
-    private static final Mark WINDOW = new Mark("", null, 0, 0, Scene.WIDTH, Scene.HEIGHT);
-
-    /** The smallest text that everyone can read, px. */
+    /** The smallest text that everyone can read, px of the screen. */
     private static final double SMALLEST = 16;
+
+    private static final double ROUND_OFF = 1e-9;
+
+    private static final Layout SMALLEST_WINDOW = Layout.of(612, 680, 1);
 
     private Legibility() {}
 
     /**
      * One sentence for each text that leaves the window or its panel, meets another text, is too
-     * small or has letters that its font lacks; none when all is well.
+     * small or has letters that its font lacks, in the usual window or in the smallest one; none
+     * when all is well.
      */
     public static List<String> faults(Scene scene) {
-        List<Mark> marks = RecordingCanvas.of(scene).marks();
+        List<String> faults = new ArrayList<>();
+        faults(scene, SMALLEST_WINDOW).forEach(fault -> faults.add(fault + " in a small window"));
+        // The usual one last: what is pressed afterwards is where it was drawn last.
+        faults.addAll(faults(scene, Layout.ALONE));
+        return faults;
+    }
+
+    /** The same in a window of another shape or size. */
+    public static List<String> faults(Scene scene, Layout layout) {
+        List<Mark> marks = RecordingCanvas.of(scene, layout).marks();
         List<String> faults = new ArrayList<>();
         for (int i = 0; i < marks.size(); i++) {
             if (marks.get(i).isText()) {
-                judge(marks, i, faults);
+                judge(marks, i, layout, faults);
             }
         }
         return faults;
     }
 
-    private static void judge(List<Mark> marks, int at, List<String> faults) {
+    private static void judge(List<Mark> marks, int at, Layout layout, List<String> faults) {
         Mark text = marks.get(at);
-        if (!WINDOW.contains(text)) {
+        Mark window =
+                new Mark("", null, layout.left(), layout.top(), layout.right(), layout.bottom());
+        if (!window.contains(text)) {
             faults.add(text + " leaves the window");
         }
-        if (text.bottom() - text.top() < SMALLEST) {
+        if ((text.bottom() - text.top()) * layout.ratio() < SMALLEST - ROUND_OFF) {
             faults.add(text + " is too small");
         }
         if (!text.face().missing(text.words()).isEmpty()) {
             faults.add(text + " has no letters for " + text.face().missing(text.words()));
         }
-        Mark panel = panelOf(marks, at);
+        Mark panel = panelOf(marks, at, window);
         if (!panel.contains(text)) {
             faults.add(text + " leaves its " + panel);
         }
@@ -53,13 +67,13 @@ public final class Legibility {
     }
 
     /** The uppermost panel that the text was drawn on, or the window. */
-    private static Mark panelOf(List<Mark> marks, int text) {
+    private static Mark panelOf(List<Mark> marks, int text, Mark window) {
         for (int i = text - 1; i >= 0; i--) {
             Mark mark = marks.get(i);
             if (!mark.isText() && mark.containsMiddleOf(marks.get(text))) {
                 return mark;
             }
         }
-        return WINDOW;
+        return window;
     }
 }

@@ -68,6 +68,7 @@ public final class RecordingCanvas implements Canvas {
     private final List<Curve> curves = new ArrayList<>();
     private final List<Ring> rings = new ArrayList<>();
     private final List<Mood> moods = new ArrayList<>();
+    private final Layout layout;
     private Camera camera = Camera.ofPuzzle();
     private final List<double[]> bodies = new ArrayList<>();
     private final List<Color> particles = new ArrayList<>();
@@ -75,9 +76,23 @@ public final class RecordingCanvas implements Canvas {
     private int glows;
     private double veil;
 
+    /** A canvas as large as a scene. */
+    public RecordingCanvas() {
+        this(Layout.ALONE);
+    }
+
+    private RecordingCanvas(Layout layout) {
+        this.layout = layout;
+    }
+
     /** What a scene draws now. */
     public static RecordingCanvas of(Scene scene) {
-        RecordingCanvas canvas = new RecordingCanvas();
+        return of(scene, Layout.ALONE);
+    }
+
+    /** What a scene draws now in a window of another shape or size. */
+    public static RecordingCanvas of(Scene scene, Layout layout) {
+        RecordingCanvas canvas = new RecordingCanvas(layout);
         scene.draw(canvas);
         return canvas;
     }
@@ -194,6 +209,11 @@ public final class RecordingCanvas implements Canvas {
     }
 
     @Override
+    public Layout layout() {
+        return layout;
+    }
+
+    @Override
     public void camera(Camera lens) {
         camera = lens;
     }
@@ -272,14 +292,14 @@ public final class RecordingCanvas implements Canvas {
                     case RIGHT -> x - width;
                 };
         if (!words.isBlank()) {
-            double half = size / 2;
+            double half = layout.textSize(size) / 2;
             marks.add(new Mark(words, face(font), left, y - half, left + width, y + half));
         }
     }
 
     @Override
     public double textWidth(String words, double size, Font font) {
-        return face(font).width(words, size);
+        return face(font).width(words, layout.textSize(size));
     }
 
     private static Typeface face(Font font) {

@@ -4,9 +4,14 @@ import rigibo.backend.Pool;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
-import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
+import rigibo.frontend.scene.widget.Print;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -16,13 +21,23 @@ import java.util.Optional;
  */
 public final class AccuracyBar {
 
-    /** px. */
-    public static final double HEIGHT = 36;
+    private static final double PADDING = 5;
 
-    private static final double LEFT = 8;
-    private static final double WIDTH = Scene.WIDTH - 2 * LEFT;
-    private static final double PADDING = (HEIGHT - Dial.HEIGHT) / 2;
-    private static final double WORDS_LEFT = LEFT + PADDING + Dial.WIDTH + 9;
+    /** A line of words, px. */
+    private static final double LINE = 22;
+
+    private static final double SIZE = 16;
+
+    /** Between the dial and the words beside it, px. */
+    private static final double GAP = 9;
+
+    /** Least room beside the dial for words; with less they stand below it, px. */
+    private static final double LEAST_ROOM = 200;
+
+    /** Lines of words below the dial. */
+    private static final int LINES_BELOW = 3;
+
+    private static final String BETWEEN = " · ";
 
     private final Pool pool;
     private final AccuracyMeter meter;
@@ -30,21 +45,22 @@ public final class AccuracyBar {
     private final Badge badge;
     private final Dial dial;
     private final StepTimes times = new StepTimes();
-    private final double top;
+    private Plate plate = Plate.NONE;
+
+    /** Where the words are. */
+    private Plate room = Plate.NONE;
+
     private double pointerX = -1;
     private double pointerY = -1;
     private double pace = 1;
 
-    /**
-     * A bar of a pool with its upper edge at y, px, with prices and errors from a meter, in words.
-     */
-    public AccuracyBar(Pool pool, AccuracyMeter meter, Words words, double y) {
+    /** A bar of a pool, with prices and errors from a meter, in words. */
+    public AccuracyBar(Pool pool, AccuracyMeter meter, Words words) {
         this.pool = pool;
         this.words = words;
         badge = new Badge(words);
         this.meter = meter;
-        top = y;
-        dial = new Dial(pool, LEFT + PADDING, top + PADDING);
+        dial = new Dial(pool);
     }
 
     /** Call after each step. */
@@ -62,27 +78,75 @@ public final class AccuracyBar {
         pace = share;
     }
 
-    /** Draws it. */
-    public void draw(Canvas canvas, boolean isPaused) {
-        canvas.panel(LEFT, top, WIDTH, HEIGHT, 12, Color.PANEL);
-        dial.draw(canvas);
-        Optional<Preset> hot = dial.at(pointerX, pointerY);
-        String said =
-                hot.map(preset -> preset.help(words))
-                        .orElse(isHelping() ? help() : numbers(isPaused));
+    /** Its height where it is so wide, px. */
+    public static double height(Layout layout, double width) {
+        double beside = width - 2 * PADDING - Dial.width(layout.type()) - GAP;
+        if (beside < LEAST_ROOM) {
+            return 3 * PADDING + Dial.HEIGHT + LINES_BELOW * LINE;
+        }
+        return 2 * PADDING + Math.max(Dial.HEIGHT, linesBeside(layout) * LINE);
+    }
+
+    /** Where text is enlarged, one line beside the dial does not hold the numbers. */
+    private static int linesBeside(Layout layout) {
+        return layout.type() > 1 ? 2 : 1;
+    }
+
+    /** Draws it from an upper left corner, px, so wide. */
+    public void draw(Canvas canvas, double x, double y, double width, boolean isPaused) {
+        place(canvas.layout(), x, y, width);
+        canvas.panel(x, y, width, plate.height(), 12, Color.PANEL);
+        dial.draw(canvas, x + PADDING, y + PADDING);
         boolean isLate = Badge.isLate(pace) && !isPaused;
-        canvas.text(
-                said,
-                WORDS_LEFT,
-                top + HEIGHT / 2,
-                16,
-                Canvas.Font.WORDS,
-                Canvas.Align.LEFT,
-                isLate ? Color.RIGIBO : Color.TEXT);
+        List<String> lines = lines(canvas, isPaused);
+        double middle = room.y() + (room.height() - (lines.size() - 1) * LINE) / 2;
+        for (String line : lines) {
+            Print.left(canvas, line, room.x(), middle, SIZE, isLate ? Color.RIGIBO : Color.TEXT);
+            middle += LINE;
+        }
+    }
+
+    private void place(Layout layout, double x, double y, double width) {
+        plate = new Plate(x, y, width, height(layout, width));
+        double dialled = PADDING + Dial.width(layout.type()) + GAP;
+        boolean isBelow = width - dialled - PADDING < LEAST_ROOM;
+        double inset = 2 * PADDING;
+        double below = 2 * PADDING + Dial.HEIGHT;
+        room =
+                isBelow
+                        ? new Plate(x + inset, y + below, width - 2 * inset, LINES_BELOW * LINE)
+                        : new Plate(x + dialled, y, width - dialled - PADDING, plate.height());
+    }
+
+    private List<String> lines(Canvas canvas, boolean isPaused) {
+        Optional<String> help =
+                dial.at(pointerX, pointerY)
+                        .map(preset -> preset.help(words))
+                        .or(() -> Optional.of(help()).filter(any -> isHelping()));
+        return help.map(said -> Lines.of(canvas, said, SIZE, Canvas.Font.WORDS, room.width()))
+                .orElseGet(() -> joined(canvas, numbers(isPaused)));
+    }
+
+    /** Numbers in lines, broken between two of them. */
+    private List<String> joined(Canvas canvas, List<String> numbers) {
+        List<String> lines = new ArrayList<>();
+        String line = "";
+        for (String number : numbers) {
+            String longer = line.isEmpty() ? number : line + BETWEEN + number;
+            boolean fits =
+                    canvas.textWidth(longer, SIZE, Canvas.Font.WORDS) <= room.width()
+                            || line.isEmpty();
+            if (!fits) {
+                lines.add(line);
+            }
+            line = fits ? longer : number;
+        }
+        lines.add(line);
+        return lines;
     }
 
     private boolean isHelping() {
-        return contains(pointerX, pointerY) && pointerX >= WORDS_LEFT;
+        return room.contains(pointerX, pointerY);
     }
 
     /** How long the copies ran; shorter where the scene is so slow that they were cut short. */
@@ -94,9 +158,8 @@ public final class AccuracyBar {
     }
 
     /** The numbers that belong to the lit position. */
-    private String numbers(boolean isPaused) {
-        return String.join(
-                " · ",
+    private List<String> numbers(boolean isPaused) {
+        return List.of(
                 badge.step(times.median()),
                 meter.last().map(last -> badge.price(meter.price())).orElse(badge.unknownPrice()),
                 error(),
@@ -110,9 +173,16 @@ public final class AccuracyBar {
                 : meter.last().map(last -> badge.error(last.error())).orElse(badge.unknownError());
     }
 
-    /** Whether a point lies on the bar. */
+    /** Whether a point lies on the bar as it was last drawn. */
     public boolean contains(double px, double py) {
-        return px >= LEFT && px <= LEFT + WIDTH && py >= top && py <= top + HEIGHT;
+        return plate.contains(px, py);
+    }
+
+    /** Holds no point until it is drawn again. */
+    public void hide() {
+        plate = Plate.NONE;
+        room = Plate.NONE;
+        dial.hide();
     }
 
     /** The pointer moved, px. */

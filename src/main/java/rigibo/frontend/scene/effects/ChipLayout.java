@@ -12,13 +12,11 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * Selects and places the chips, in two rows at most: first the effects that the scene needs, then
+ * Selects and places the chips, in a few rows at most: first the effects that the scene needs, then
  * those that it offers. Offers without room are left out; chips of needed effects are moved closer
  * together instead.
  */
 final class ChipLayout {
-
-    static final int ROWS = 2;
 
     /** Between rows and between chips, px. */
     static final double GAP = 6;
@@ -36,27 +34,33 @@ final class ChipLayout {
     private final double width;
     private final boolean isCrowded;
     private final List<Chip> chips = new ArrayList<>();
-    private final double[] ends = new double[ROWS];
+    private final double[] ends;
     private int row;
 
-    private ChipLayout(Words words, Canvas canvas, double width, boolean isCrowded) {
+    private ChipLayout(Words words, Canvas canvas, double width, int rows, boolean isCrowded) {
         this.words = words;
         this.canvas = canvas;
         this.width = width;
         this.isCrowded = isCrowded;
+        ends = new double[rows];
     }
 
     /** The chips of a scene in rows of a width in px, the first of them at (0, 0). */
-    static List<Chip> of(SceneEffects scene, Canvas canvas, double width) {
+    static List<Chip> of(SceneEffects scene, Canvas canvas, double width, int rows) {
         Map<Boolean, List<EffectReason>> shown = shown(scene);
         List<EffectReason> called = shown.get(true);
-        ChipLayout layout = new ChipLayout(scene.words(), canvas, width, false);
+        ChipLayout layout = new ChipLayout(scene.words(), canvas, width, rows, false);
         if (!called.stream().allMatch(layout::place)) {
-            layout = new ChipLayout(scene.words(), canvas, width, true);
+            layout = new ChipLayout(scene.words(), canvas, width, rows, true);
             called.forEach(layout::place);
         }
         shown.get(false).forEach(layout::place);
         return layout.chips;
+    }
+
+    /** How many rows chips take. */
+    static int rows(List<Chip> chips) {
+        return (int) chips.stream().mapToDouble(Chip::y).distinct().count();
     }
 
     /** By whether the scene calls for them. */
@@ -76,7 +80,7 @@ final class ChipLayout {
         double margin = isCrowded ? CROWDED_MARGIN : MARGIN;
         String title = words.of("effect." + reason.effect().title());
         double needed = canvas.textWidth(title, 16, Canvas.Font.WORDS) + 2 * margin;
-        for (int i = isCrowded ? 0 : row; i < ROWS; i++) {
+        for (int i = isCrowded ? 0 : row; i < ends.length; i++) {
             if (ends[i] + needed <= width) {
                 chips.add(new Chip(reason, title, ends[i], i * (Chip.HEIGHT + GAP), needed));
                 ends[i] += needed + (isCrowded ? CROWDED_GAP : GAP);

@@ -5,11 +5,14 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Sleep;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
+import rigibo.frontend.scene.widget.Print;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
 
 /**
@@ -19,26 +22,34 @@ import java.util.stream.Collectors;
  */
 public final class EffectsBar {
 
-    private static final double LEFT = 8;
-    private static final double WIDTH = Scene.WIDTH - 2 * LEFT;
     private static final double PADDING = 10;
-    private static final double ROWS =
-            ChipLayout.ROWS * Chip.HEIGHT + (ChipLayout.ROWS - 1) * ChipLayout.GAP;
+
+    /** Rows of chips where the bar is as wide as a scene, and at most where it is narrow. */
+    private static final int ROWS = 2;
+
+    private static final int MOST_ROWS = 10;
+
+    /** Width from which on two rows are enough, px. */
+    private static final double WIDE = 500;
+
+    /** Lines of words where text is enlarged. */
+    private static final int MOST_LINES = 4;
 
     /** A line of words, px. */
     private static final double LINE = 22;
 
-    private static final double INDENT = LEFT + PADDING + 4;
+    private static final double INDENT = PADDING + 4;
+    private static final double SIZE = 16;
 
-    /** px. */
-    public static final double HEIGHT = PADDING + ROWS + 6 + 2 * LINE + 6;
+    /** Height where it is as wide as a scene and its words are short, px. */
+    public static final double HEIGHT = height(ROWS, 2);
 
     private final SceneEffects scene;
     private final Words words;
     private final CostWords said;
     private final CostMeter meter;
     private List<Chip> chips = List.of();
-    private double top;
+    private Plate plate = Plate.NONE;
     private double pointerX = -1;
     private double pointerY = -1;
 
@@ -59,25 +70,57 @@ public final class EffectsBar {
         meter.turn(scene.pool(), shown, hot().map(Chip::effect));
     }
 
-    /** Draws the bar with its upper edge at y, px. */
-    public void draw(Canvas canvas, double y) {
-        top = y;
+    /** Draws the bar with its upper left corner at a point, px, so wide. */
+    public void draw(Canvas canvas, double x, double y, double width) {
+        lay(canvas, width, 2, laid -> new Plate(x, y, width, laid));
+    }
+
+    /**
+     * Draws the bar with its lower left corner at a point, px, so wide; as high for all that it
+     * says, so that no chip slips away from under the pointer.
+     */
+    public void drawAbove(Canvas canvas, double x, double bottom, double width) {
+        int lines = canvas.layout().type() > 1 ? MOST_LINES : 2;
+        lay(canvas, width, lines, laid -> new Plate(x, bottom - laid, width, laid));
+    }
+
+    private void lay(Canvas canvas, double width, int lines, DoubleFunction<Plate> place) {
+        List<Chip> laid =
+                ChipLayout.of(scene, canvas, width - 2 * PADDING, width >= WIDE ? ROWS : MOST_ROWS);
+        int rows = width >= WIDE ? ROWS : ChipLayout.rows(laid);
+        List<String> what = lines(canvas, what(), width);
+        List<String> cost = lines(canvas, cost(), width);
+        int said = what.size() + cost.size() + (isMarked() && width < WIDE ? 1 : 0);
+        plate = place.apply(height(rows, Math.max(lines, said)));
         chips =
-                ChipLayout.of(scene, canvas, WIDTH - 2 * PADDING).stream()
-                        .map(chip -> chip.movedBy(LEFT + PADDING, top + PADDING))
+                laid.stream()
+                        .map(chip -> chip.movedBy(plate.x() + PADDING, plate.y() + PADDING))
                         .toList();
+        draw(canvas, plate.y() + height(rows, 0) - 6 + LINE / 2, what, cost);
+    }
+
+    private static double height(int rows, int lines) {
+        double chips = rows * (Chip.HEIGHT + ChipLayout.GAP) - ChipLayout.GAP;
+        return PADDING + chips + 6 + lines * LINE + 6;
+    }
+
+    private static List<String> lines(Canvas canvas, String text, double width) {
+        return Lines.of(canvas, text, SIZE, Canvas.Font.WORDS, width - INDENT - PADDING / 2);
+    }
+
+    private void draw(Canvas canvas, double firstLine, List<String> what, List<String> cost) {
         boolean isExperiment = !scene.marking().isEmpty();
-        canvas.panel(LEFT, top, WIDTH, HEIGHT, 12, Color.PANEL);
+        canvas.panel(plate.x(), plate.y(), plate.width(), plate.height(), 12, Color.PANEL);
         if (isExperiment) {
-            canvas.frame(LEFT, top, WIDTH, HEIGHT, 12, Color.BAD);
+            canvas.frame(plate.x(), plate.y(), plate.width(), plate.height(), 12, Color.BAD);
         }
         Effects calledFor = scene.calledFor();
         chips.forEach(chip -> draw(canvas, chip, calledFor));
-        double line = top + PADDING + ROWS + 6 + LINE / 2;
-        words(canvas, what(), line, refusal.isEmpty() ? Color.TEXT : Color.BAD);
-        words(canvas, cost(), line + LINE, Color.BRASS);
-        if (isExperiment && hot().isPresent()) {
-            drawMark(canvas, line + LINE);
+        words(canvas, what, firstLine, refusal.isEmpty() ? Color.TEXT : Color.BAD);
+        double second = firstLine + what.size() * LINE;
+        words(canvas, cost, second, Color.BRASS);
+        if (isMarked()) {
+            drawMark(canvas, plate.bottom() - 6 - LINE / 2);
         }
     }
 
@@ -90,11 +133,15 @@ public final class EffectsBar {
         chip.draw(canvas, isLit(chip), isLit(chip) != isCalledFor, share);
     }
 
+    private boolean isMarked() {
+        return !scene.marking().isEmpty() && hot().isPresent();
+    }
+
     /** While a chip is explained, the experiment stays marked in a corner. */
     private void drawMark(Canvas canvas, double y) {
         canvas.text(
                 words.of("effect.experiment"),
-                LEFT + WIDTH - PADDING - 4,
+                plate.right() - INDENT,
                 y,
                 16,
                 Canvas.Font.WORDS,
@@ -102,8 +149,10 @@ public final class EffectsBar {
                 Color.BAD);
     }
 
-    private static void words(Canvas canvas, String words, double y, Color color) {
-        canvas.text(words, INDENT, y, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
+    private void words(Canvas canvas, List<String> lines, double y, Color color) {
+        for (int i = 0; i < lines.size(); i++) {
+            Print.left(canvas, lines.get(i), plate.x() + INDENT, y + i * LINE, SIZE, color);
+        }
     }
 
     private boolean isLit(Chip chip) {
@@ -169,7 +218,13 @@ public final class EffectsBar {
 
     /** Whether a point lies on the bar as it was last drawn. */
     public boolean contains(double px, double py) {
-        return px >= LEFT && px <= LEFT + WIDTH && py >= top && py <= top + HEIGHT;
+        return plate.contains(px, py);
+    }
+
+    /** Holds no point until it is drawn again. */
+    public void hide() {
+        plate = Plate.NONE;
+        chips = List.of();
     }
 
     /** The pointer moved, px. */

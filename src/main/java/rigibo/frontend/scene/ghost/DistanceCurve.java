@@ -29,8 +29,11 @@ public final class DistanceCurve {
         while (apart * decade < LEAST_BETWEEN_LABELS) {
             apart += 3;
         }
+        double half = canvas.layout().textSize(SIZE) / 2;
         for (int power = 0; power > LOWEST; power -= apart) {
-            label(canvas, power, x, y + (HIGHEST - power) * decade, width);
+            double at = y + (HIGHEST - power) * decade;
+            double middle = Math.max(y + half, Math.min(y + height - half, at));
+            label(canvas, power, x, at, width, middle);
         }
         for (int i = 0; i < divergence.count(); i++) {
             heights[i] = heightOf(divergence.distance(i));
@@ -39,7 +42,8 @@ public final class DistanceCurve {
         canvas.graph(heights, divergence.count(), x + MARGIN, y, span, height, Color.BRASS);
     }
 
-    private static void label(Canvas canvas, int power, double x, double y, double width) {
+    private static void label(
+            Canvas canvas, int power, double x, double y, double width, double middle) {
         canvas.line(x + MARGIN, y, x + width - 6, y, 1, Color.PANEL_LIT);
         String words =
                 switch (power) {
@@ -52,7 +56,7 @@ public final class DistanceCurve {
         canvas.text(
                 words,
                 x + MARGIN - 6,
-                y,
+                middle,
                 SIZE,
                 Canvas.Font.NUMBERS,
                 Canvas.Align.RIGHT,

@@ -20,7 +20,7 @@ import rigibo.backend.setup.JointLimits;
 import rigibo.backend.setup.JointMotor;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
-import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Layout;
 
 import java.util.List;
 import java.util.function.Function;
@@ -77,14 +77,13 @@ public final class JointPicture {
             Camera camera,
             List<Joint> joints,
             Function<RigidBody, Placement> poses) {
-        new JointPicture(canvas, camera, poses, at -> isNear(camera, at)).draw(joints);
+        Layout layout = canvas.layout();
+        new JointPicture(canvas, camera, poses, at -> isNear(layout, camera, at)).draw(joints);
     }
 
     /** Whether a point is in the window or no more than a window beside it. */
-    private static boolean isNear(Camera camera, Placement at) {
-        double x = camera.screenX(at.x());
-        double y = camera.screenY(at.y());
-        return x > -BESIDE && x < Scene.WIDTH + BESIDE && y > -BESIDE && y < Scene.HEIGHT + BESIDE;
+    private static boolean isNear(Layout layout, Camera camera, Placement at) {
+        return layout.shows(camera.screenX(at.x()), camera.screenY(at.y()), BESIDE);
     }
 
     /** Draws those joints that have both ends in a window of the world, m. */

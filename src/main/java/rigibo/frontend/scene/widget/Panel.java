@@ -14,9 +14,9 @@ public final class Panel {
     private static final double PADDING = 12;
     private static final int NOTHING = -1;
 
-    private final double x;
-    private final double y;
-    private final double width;
+    private double x;
+    private double y;
+    private double width;
     private final List<Widget> widgets;
     private int hot = NOTHING;
     private int dragged = NOTHING;
@@ -35,6 +35,13 @@ public final class Panel {
         panel.hot = hot;
         panel.dragged = dragged;
         return panel;
+    }
+
+    /** Moves it: its upper left corner, and its width, px. */
+    public void place(double left, double top, double wide) {
+        x = left;
+        y = top;
+        width = wide;
     }
 
     /** Height with its padding, px. */

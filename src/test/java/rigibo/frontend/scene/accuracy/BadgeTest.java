@@ -13,7 +13,7 @@ import rigibo.frontend.scene.Words;
 class BadgeTest {
 
     /** Beside the dial, from its end to the bar's, px. */
-    private static final double ROOM = Scene.WIDTH - 8 - (8 + 5 + Dial.WIDTH + 9);
+    private static final double ROOM = Scene.WIDTH - 8 - (8 + 5 + Dial.width(1) + 9);
 
     @ParameterizedTest
     @ValueSource(strings = {"en", "de"})

@@ -71,7 +71,7 @@ class EffectsBarTest {
 
     private static RecordingCanvas drawn(EffectsBar bar) {
         RecordingCanvas canvas = new RecordingCanvas();
-        bar.draw(canvas, TOP);
+        bar.draw(canvas, 8, TOP, Scene.WIDTH - 16);
         return canvas;
     }
 

@@ -1,0 +1,282 @@
+package rigibo.frontend.demo;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.accuracy.AccuracyBar;
+import rigibo.frontend.scene.accuracy.AccuracyMeter;
+import rigibo.frontend.scene.accuracy.Preset;
+import rigibo.frontend.scene.effects.CostMeter;
+import rigibo.frontend.scene.effects.EffectsBar;
+import rigibo.frontend.scene.widget.Panel;
+import rigibo.frontend.scene.widget.Plate;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Predicate;
+
+/**
+ * The plates of a demo: accuracy, controls, effects, and one at the side. They stand beside the
+ * scene where the window is wide enough; otherwise they lie over it, folded to their tabs until
+ * they are opened. A key hides and shows them all.
+ */
+final class DemoPlates {
+
+    private static final double EDGE = 8;
+
+    /** Between plates, px. */
+    private static final double GAP = 6;
+
+    /** Widths over the scene with text of its usual size, px. */
+    private static final double CONTROLS_WIDTH = 270;
+
+    /** What demos show begins to the right of this many px of controls. */
+    private static final double WIDEST_CONTROLS = 294;
+
+    private static final double SIDE_WIDTH = 240;
+
+    /** What N, G and other demos turn to is left as it was when a demo is restarted. */
+    private final Folds folds;
+
+    private final Workbench bench;
+    private final Panel controls;
+    private final SidePlate side;
+    private final AccuracyBar accuracy;
+    private final EffectsBar effects;
+    private final Tabs tabs;
+    private Plate sidePlace = Plate.NONE;
+    private int columns;
+    private boolean isHidden;
+    private boolean wasGhostWanted;
+
+    private DemoPlates(
+            Demo demo,
+            Workbench bench,
+            Words words,
+            AccuracyMeter errors,
+            CostMeter costs,
+            Folds folds) {
+        this.bench = bench;
+        this.folds = folds;
+        controls = new Panel(0, 0, CONTROLS_WIDTH, demo.widgets());
+        side = new SidePlate(bench, words);
+        accuracy = new AccuracyBar(bench.pool(), errors, words);
+        effects = new EffectsBar(new DemoEffects(demo, bench, words), costs);
+        tabs = new Tabs(words, folds);
+    }
+
+    /** The plates of a demo that was built on a bench, with errors and costs from meters. */
+    DemoPlates(Demo demo, Workbench bench, Words words, AccuracyMeter errors, CostMeter costs) {
+        this(demo, bench, words, errors, costs, new Folds());
+    }
+
+    /** Plates of a restarted demo, of which those are open that are open here. */
+    DemoPlates of(Demo demo, Workbench other, Words words, AccuracyMeter errors, CostMeter costs) {
+        DemoPlates next = new DemoPlates(demo, other, words, errors, costs, folds);
+        next.isHidden = isHidden;
+        next.columns = columns;
+        next.haunt();
+        return next;
+    }
+
+    /**
+     * Opens the ghost's plate when the demo begins to want it, and folds it when it no longer does.
+     */
+    void wantGhost(boolean isWanted) {
+        if (isWanted != wasGhostWanted) {
+            wasGhostWanted = isWanted;
+            if (!isWanted) {
+                folds.layTheGhost();
+            } else if (columns != 1) {
+                // In one column it would take the place of the controls that asked for it.
+                folds.open(Fold.GHOST);
+            }
+        }
+        haunt();
+    }
+
+    /** Makes a ghost while its plate is open or the demo wants it. */
+    private void haunt() {
+        bench.haunt(folds.isOpen(Fold.GHOST) || columns == 1 && wasGhostWanted);
+    }
+
+    void beforeStep() {
+        side.beforeStep();
+    }
+
+    void afterStep() {
+        side.afterStep();
+        accuracy.stepped();
+    }
+
+    /** A frame was drawn and took this long, ns. */
+    void drawn(long nanos) {
+        side.drawn(nanos);
+        effects.turn();
+        accuracy.turn();
+    }
+
+    void paced(double share) {
+        accuracy.paced(share);
+    }
+
+    void draw(Canvas canvas, boolean isPaused) {
+        Layout layout = canvas.layout();
+        columns = layout.columns();
+        folds.columns(columns);
+        haunt();
+        forget();
+        if (isHidden) {
+            return;
+        }
+        switch (columns) {
+            case 0 -> drawOver(canvas, isPaused);
+            case 1 -> drawColumn(canvas, isPaused);
+            default -> drawColumns(canvas, isPaused);
+        }
+    }
+
+    /** What is not drawn cannot be pressed. */
+    private void forget() {
+        tabs.clear();
+        sidePlace = Plate.NONE;
+        accuracy.hide();
+        if (isHidden || !folds.isOpen(Fold.EFFECTS)) {
+            effects.hide();
+        }
+        controls.place(0, 0, Plate.NONE.width());
+    }
+
+    private void drawOver(Canvas canvas, boolean isPaused) {
+        double width = Scene.WIDTH - 2 * EDGE;
+        double type = canvas.layout().type();
+        accuracy.draw(canvas, EDGE, EDGE, width, isPaused);
+        double row = EDGE + AccuracyBar.height(canvas.layout(), width) + GAP;
+        double sideWidth = SIDE_WIDTH * type;
+        double right = Scene.WIDTH - EDGE - sideWidth;
+        double controlsWidth = Math.min(WIDEST_CONTROLS, CONTROLS_WIDTH * type);
+        tabs.draw(canvas, tabs(fold -> !fold.isAtTheSide()), EDGE, row, controlsWidth);
+        tabs.draw(canvas, tabs(Fold::isAtTheSide), right, row, sideWidth);
+        double below = row + Tabs.HEIGHT + Tabs.GAP;
+        if (folds.isOpen(Fold.CONTROLS)) {
+            drawControls(canvas, EDGE, below, controlsWidth);
+        }
+        if (folds.isOpen(Fold.EFFECTS)) {
+            effects.drawAbove(canvas, EDGE, Scene.HEIGHT - EDGE, width);
+        }
+        drawSide(canvas, right, below, sideWidth);
+    }
+
+    private void drawColumn(Canvas canvas, boolean isPaused) {
+        Layout layout = canvas.layout();
+        double x = layout.leftColumn();
+        double width = layout.columnWidth();
+        accuracy.draw(canvas, x, EDGE, width, isPaused);
+        double row = EDGE + AccuracyBar.height(layout, width) + GAP;
+        tabs.draw(canvas, tabs(fold -> !fold.isAtTheSide()), x, row, width);
+        row += Tabs.HEIGHT + Tabs.GAP;
+        tabs.draw(canvas, tabs(Fold::isAtTheSide), x, row, width);
+        double below = row + Tabs.HEIGHT + Tabs.GAP;
+        if (folds.isOpen(Fold.CONTROLS)) {
+            drawControls(canvas, x, below, width);
+        }
+        if (folds.isOpen(Fold.EFFECTS)) {
+            effects.draw(canvas, x, below, width);
+        }
+        drawSide(canvas, x, below, width);
+    }
+
+    private void drawColumns(Canvas canvas, boolean isPaused) {
+        Layout layout = canvas.layout();
+        double width = layout.columnWidth();
+        double left = layout.leftColumn();
+        accuracy.draw(canvas, left, EDGE, width, isPaused);
+        drawControls(canvas, left, EDGE + AccuracyBar.height(layout, width) + GAP, width);
+        double right = layout.rightColumn();
+        tabs.draw(canvas, tabs(Fold::isAtTheSide), right, EDGE, width);
+        drawSide(canvas, right, EDGE + Tabs.HEIGHT + Tabs.GAP, width);
+        effects.draw(canvas, right, sidePlace.bottom() + GAP, width);
+    }
+
+    private List<Fold> tabs(Predicate<Fold> wanted) {
+        return Arrays.stream(Fold.values()).filter(wanted).filter(folds::hasTab).toList();
+    }
+
+    private void drawControls(Canvas canvas, double x, double y, double width) {
+        controls.place(x, y, width);
+        controls.draw(canvas);
+    }
+
+    private void drawSide(Canvas canvas, double x, double y, double width) {
+        for (Fold fold : tabs(Fold::isAtTheSide)) {
+            if (folds.isOpen(fold)) {
+                sidePlace = new Plate(x, y, width, SidePlate.height(fold));
+                side.draw(canvas, fold, x, y, width);
+            }
+        }
+    }
+
+    /** Whether a point lies on a plate. */
+    boolean contain(double x, double y) {
+        return controls.contains(x, y)
+                || accuracy.contains(x, y)
+                || effects.contains(x, y)
+                || sidePlace.contains(x, y)
+                || tabs.at(x, y).isPresent();
+    }
+
+    void pointerMoved(double x, double y) {
+        controls.pointerMoved(x, y);
+        accuracy.pointerMoved(x, y);
+        effects.pointerMoved(x, y);
+    }
+
+    /** Handles a press of the left button; returns whether on a plate. */
+    boolean pointerPressed(double x, double y) {
+        boolean isOnPlate = contain(x, y);
+        tabs.at(x, y).ifPresent(folds::toggle);
+        controls.pointerPressed(x, y);
+        accuracy.pointerPressed(x, y);
+        effects.pointerPressed(x, y);
+        return isOnPlate;
+    }
+
+    void pointerReleased() {
+        controls.pointerReleased();
+    }
+
+    /** Handles a key for the plates; returns whether it is one. */
+    boolean keyPressed(Key key) {
+        if (areControlsShown() && controls.keyPressed(key)) {
+            return true;
+        }
+        switch (key) {
+            case DIGIT_1, DIGIT_2, DIGIT_3, DIGIT_4 ->
+                    accuracy.choose(Preset.values()[key.ordinal() - Key.DIGIT_1.ordinal()]);
+            case T -> isHidden = !isHidden;
+            case C -> toggle(Fold.CONTROLS);
+            case E -> toggle(Fold.EFFECTS);
+            case N -> toggle(Fold.ENERGY);
+            case G -> toggle(Fold.GHOST);
+            default -> {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean areControlsShown() {
+        return !isHidden && folds.isOpen(Fold.CONTROLS);
+    }
+
+    /** Folds or unfolds a plate that has a tab; all are shown again to show it. */
+    private void toggle(Fold fold) {
+        if (folds.hasTab(fold)) {
+            folds.toggle(fold);
+            isHidden = isHidden && !folds.isOpen(fold);
+        }
+        haunt();
+    }
+}

@@ -1,0 +1,26 @@
+package rigibo.frontend.demo;
+
+/** A plate of a demo that can be folded away to its tab. */
+enum Fold {
+    CONTROLS("fold.controls"),
+    EFFECTS("fold.effects"),
+    FRAME("fold.frame"),
+    ENERGY("fold.energy"),
+    GHOST("fold.ghost");
+
+    private final String key;
+
+    Fold(String key) {
+        this.key = key;
+    }
+
+    /** Key of the word on its tab. */
+    String key() {
+        return key;
+    }
+
+    /** Whether it is one of those of which one is shown at a time, in one place. */
+    boolean isAtTheSide() {
+        return this == FRAME || this == ENERGY || this == GHOST;
+    }
+}

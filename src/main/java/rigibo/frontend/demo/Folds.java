@@ -1,0 +1,74 @@
+package rigibo.frontend.demo;
+
+import java.util.EnumSet;
+import java.util.Set;
+
+/**
+ * Which plates of a demo are open. Over the scene all begin folded, so that the scene can be seen;
+ * beside it, in one column, one of them is open; in two columns all are, and one of those at the
+ * side.
+ */
+final class Folds {
+
+    private final Set<Fold> open = EnumSet.noneOf(Fold.class);
+    private int columns;
+
+    /** Takes how many columns there are beside the scene, 0 to 2; begins anew if that changed. */
+    void columns(int now) {
+        if (now != columns) {
+            columns = now;
+            boolean wasHaunted = open.contains(Fold.GHOST);
+            open.clear();
+            open.addAll(first());
+            if (wasHaunted) {
+                open(Fold.GHOST);
+            }
+        }
+    }
+
+    private Set<Fold> first() {
+        return switch (columns) {
+            case 0 -> EnumSet.noneOf(Fold.class);
+            case 1 -> EnumSet.of(Fold.CONTROLS);
+            default -> EnumSet.of(Fold.CONTROLS, Fold.EFFECTS, Fold.FRAME);
+        };
+    }
+
+    boolean isOpen(Fold fold) {
+        return open.contains(fold);
+    }
+
+    /** Whether a plate has a tab: controls and effects have room of their own in two columns. */
+    boolean hasTab(Fold fold) {
+        return columns < 2 || fold.isAtTheSide();
+    }
+
+    /** Opens a plate in place of those that would be in its way. */
+    void open(Fold fold) {
+        open.removeIf(other -> columns == 1 || fold.isAtTheSide() && other.isAtTheSide());
+        open.add(fold);
+    }
+
+    /** Folds a plate; beside the scene what is open at first takes its place. */
+    private void close(Fold fold) {
+        open.remove(fold);
+        if (columns == 1 && open.isEmpty() || columns == 2 && open.size() < first().size()) {
+            first().forEach(this::open);
+        }
+    }
+
+    void toggle(Fold fold) {
+        if (isOpen(fold)) {
+            close(fold);
+        } else {
+            open(fold);
+        }
+    }
+
+    /** Folds the ghost, if it is open. */
+    void layTheGhost() {
+        if (isOpen(Fold.GHOST)) {
+            close(Fold.GHOST);
+        }
+    }
+}

@@ -1,0 +1,134 @@
+package rigibo.frontend.scene;
+
+/**
+ * What a window shows, in logical pixels. A scene lies at (0, 0) and measures {@link Scene#WIDTH} ×
+ * {@link Scene#HEIGHT}; a window of another shape shows more on its sides, so that points left of
+ * the scene have a negative x. Layouts make a scene as large as fits, never distort it, and leave
+ * the scene's own coordinates alone.
+ *
+ * @param left x of the window's left edge, 0 or less
+ * @param top y of its upper edge, 0 or less
+ * @param width of the window, {@link Scene#WIDTH} or more
+ * @param height of the window, {@link Scene#HEIGHT} or more
+ * @param ratio pixels of the window per logical one
+ * @param type factor by which the smallest text is enlarged to be read in a small window, 1 or more
+ */
+public record Layout(
+        double left, double top, double width, double height, double ratio, double type) {
+
+    /** Smallest share of its usual size at which a scene is still to be read. */
+    public static final double LEAST_SCALE = 0.85;
+
+    /** Width of a column of plates with text of its usual size, px. */
+    private static final double COLUMN = 270;
+
+    /** Between a column and what is beside it, px. */
+    private static final double GAP = 5;
+
+    /** Wider than this a column of plates is hard to read, px. */
+    private static final double WIDEST_COLUMN = 330;
+
+    /** The smallest text of scenes, px. */
+    private static final double SMALLEST_TEXT = 16;
+
+    /** A scene in a window of its own shape and size. */
+    public static final Layout ALONE = of(Scene.WIDTH, Scene.HEIGHT, 1);
+
+    /**
+     * A scene in the middle of a window.
+     *
+     * @param windowWidth in pixels
+     * @param windowHeight in pixels
+     * @param contentScale pixels of the window per pixel of text at its usual size: 2 on a screen
+     *     whose pixels are half as large as usual
+     */
+    public static Layout of(int windowWidth, int windowHeight, double contentScale) {
+        double ratio =
+                Math.min(
+                        Math.max(1, windowWidth) / (double) Scene.WIDTH,
+                        Math.max(1, windowHeight) / (double) Scene.HEIGHT);
+        double width = Math.max(Scene.WIDTH, windowWidth / ratio);
+        double height = Math.max(Scene.HEIGHT, windowHeight / ratio);
+        double type = Math.max(1, Math.min(1 / LEAST_SCALE, contentScale / ratio));
+        return new Layout(
+                (Scene.WIDTH - width) / 2, (Scene.HEIGHT - height) / 2, width, height, ratio, type);
+    }
+
+    /**
+     * Returns a layout with room for plates beside the scene: moves the scene to the right edge
+     * where there is room for one column, and none for two.
+     */
+    public Layout withColumns() {
+        double beside = width - Scene.WIDTH;
+        boolean isForOne = beside >= margin() && beside < 2 * margin();
+        return isForOne ? new Layout(-beside, top, width, height, ratio, type) : this;
+    }
+
+    /** Least width beside the scene for a column, px. */
+    private double margin() {
+        return COLUMN * type + 2 * GAP;
+    }
+
+    /** How many columns of plates there is room for beside the scene: 0, 1 (left) or 2. */
+    public int columns() {
+        return (-left >= margin() ? 1 : 0) + (right() - Scene.WIDTH >= margin() ? 1 : 0);
+    }
+
+    /** Width of a column beside the scene, px. */
+    public double columnWidth() {
+        return Math.min(WIDEST_COLUMN, -left - 2 * GAP);
+    }
+
+    /** Left edge of the column on the left, next to the scene, px. */
+    public double leftColumn() {
+        return -GAP - columnWidth();
+    }
+
+    /** Left edge of the column on the right, next to the scene, px. */
+    public double rightColumn() {
+        return Scene.WIDTH + GAP;
+    }
+
+    /** Right edge of the window, px. */
+    public double right() {
+        return left + width;
+    }
+
+    /** Lower edge of the window, px. */
+    public double bottom() {
+        return top + height;
+    }
+
+    /** Whether something round about a point can be seen in the window, px. */
+    public boolean shows(double x, double y, double radius) {
+        return x > left - radius
+                && x < right() + radius
+                && y > top - radius
+                && y < bottom() + radius;
+    }
+
+    /** Converts an x in pixels of the window to logical px. */
+    public double logicalX(double windowX) {
+        return left + windowX / ratio;
+    }
+
+    /** Converts a y in pixels of the window to logical px. */
+    public double logicalY(double windowY) {
+        return top + windowY / ratio;
+    }
+
+    /** Converts a logical x to pixels of the window. */
+    public double windowX(double logicalX) {
+        return (logicalX - left) * ratio;
+    }
+
+    /** Converts a logical y to pixels of the window. */
+    public double windowY(double logicalY) {
+        return (logicalY - top) * ratio;
+    }
+
+    /** The size at which a text is drawn that is meant to be of a size, px. */
+    public double textSize(double size) {
+        return Math.max(size, SMALLEST_TEXT * type);
+    }
+}

@@ -1,0 +1,30 @@
+package rigibo.frontend.scene.widget;
+
+/**
+ * A rectangle on the screen that something is drawn on, logical px.
+ *
+ * @param x left edge
+ * @param y upper edge
+ * @param width 0 or more
+ * @param height 0 or more
+ */
+public record Plate(double x, double y, double width, double height) {
+
+    /** Holds no point. */
+    public static final Plate NONE = new Plate(0, 0, -1, -1);
+
+    /** Right edge. */
+    public double right() {
+        return x + width;
+    }
+
+    /** Lower edge. */
+    public double bottom() {
+        return y + height;
+    }
+
+    /** Whether a point lies on it. */
+    public boolean contains(double px, double py) {
+        return px >= x && px <= right() && py >= y && py <= bottom();
+    }
+}

@@ -1,0 +1,59 @@
+package rigibo.frontend.puzzle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.Scene;
+
+/** What opens during a play stands beside it where the window has room. */
+class PuzzleInWideWindowsTest {
+
+    private static final Layout WIDE = Layout.of(1920, 1080, 1);
+
+    private final PlayedLevel played = new PlayedLevel(PlayedLevel.twoBoxes());
+
+    private RecordingCanvas canvas() {
+        return RecordingCanvas.of(played.scene, WIDE);
+    }
+
+    @Test
+    void effectsLeaveThePlayAsLargeAsItIs() {
+        double[][] before = canvas().bodies().toArray(double[][]::new);
+        played.keys(Key.E);
+        assertThat(canvas().bodies().toArray(double[][]::new)).isDeepEqualTo(before);
+        assertThat(canvas().middleOf("gravity")[0]).isGreaterThan(Scene.WIDTH);
+    }
+
+    /** In a window of the scene's own shape the picture shrinks below them, and grows again. */
+    @Test
+    void thePlayFollowsTheWindow() {
+        played.keys(Key.E);
+        double[][] wide = canvas().bodies().toArray(double[][]::new);
+        double[][] narrow = played.canvas().bodies().toArray(double[][]::new);
+        assertThat(narrow[0][1]).isNotEqualTo(wide[0][1]);
+        assertThat(canvas().bodies().toArray(double[][]::new)).isDeepEqualTo(wide);
+    }
+
+    @Test
+    void effectsBesideThePlayAreSwitchedByAClick() {
+        played.keys(Key.E);
+        assertThat(canvas().plateOf("gravity")).isEqualTo(Color.BRASS);
+        double[] at = canvas().middleOf("gravity");
+        played.scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        assertThat(canvas().plateOf("gravity")).isEqualTo(Color.PANEL_LIT);
+    }
+
+    /** The box is where it is seen, in the scene's own coordinates. */
+    @Test
+    void aClickReachesTheBoxThatIsSeenThere() {
+        int before = canvas().bodies().size();
+        played.clickBox().turns(2);
+        assertThat(canvas().bodies().size()).isEqualTo(before - 1);
+    }
+}
