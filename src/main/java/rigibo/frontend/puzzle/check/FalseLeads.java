@@ -4,6 +4,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Clickable;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Loss;
@@ -14,8 +15,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Finds first clicks that look right and lose the ball: those that other games win by, made too
- * early, and those that bring a ball nearer to the platform on its way out of the world.
+ * Finds what looks right and loses the ball. First clicks do that other games win by, made too
+ * early, and those that bring a ball nearer to the platform on its way out of the world. So does a
+ * solution that lacks one click: each of its clicks is right, the ball comes, and is lost.
  */
 final class FalseLeads {
 
@@ -33,19 +35,33 @@ final class FalseLeads {
     }
 
     /**
-     * Finds them at the game's own accuracy.
+     * Finds first clicks that mislead, at the game's own accuracy.
      *
      * @param winning what is clicked in games that are won
      * @return their ids, in the level's order
      */
-    List<String> of(Set<String> winning) {
+    List<String> first(Set<String> winning) {
         List<String> all = level.clickables().stream().map(Clickable::id).toList();
-        return games.each(all).filter(first -> misleads(first, winning.contains(first))).toList();
+        return games.each(all)
+                .filter(id -> misleads(List.of(new Act(MOMENT, id)), winning.contains(id)))
+                .toList();
     }
 
-    private boolean misleads(String first, boolean isOfWinning) {
-        Replay click = new Replay(level.hash(), List.of(new Act(MOMENT, first)), Accuracy.GAME);
-        Trial trial = new Trial(level, click);
+    /** Finds clicks of a solution without which all its others mislead; returns their ids. */
+    List<String> forgotten(Solution solution) {
+        List<Act> clicks = Replay.of(level, solution, Accuracy.GAME).acts();
+        return games.each(clicks)
+                .filter(left -> clicks.size() > 1 && misleads(without(clicks, left), false))
+                .map(Act::target)
+                .toList();
+    }
+
+    private static List<Act> without(List<Act> clicks, Act left) {
+        return clicks.stream().filter(click -> click != left).toList();
+    }
+
+    private boolean misleads(List<Act> clicks, boolean areOfWinning) {
+        Trial trial = new Trial(level, new Replay(level.hash(), clicks, Accuracy.GAME));
         double begin = distance(trial.game());
         double nearest = begin;
         while (!trial.isOver()) {
@@ -53,7 +69,7 @@ final class FalseLeads {
             nearest = Math.min(nearest, distance(trial.game()));
         }
         games.count(trial.game().steps());
-        return isBallLost(trial.game()) && (isOfWinning || nearest < begin - PROGRESS);
+        return isBallLost(trial.game()) && (areOfWinning || nearest < begin - PROGRESS);
     }
 
     private static boolean isBallLost(PuzzleGame game) {

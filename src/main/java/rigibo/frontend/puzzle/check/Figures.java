@@ -13,6 +13,7 @@ import java.util.Locale;
  * @param orders games of par clicks that the search played
  * @param wins how many of them were won
  * @param falseLeads first clicks that look right and lose, in the level's order
+ * @param traps clicks of the solution without which the others look right and lose
  * @param wonAfter steps after which the stated solution wins
  * @param travel length of the ball's way until then, whole cm
  */
@@ -22,6 +23,7 @@ public record Figures(
         int orders,
         int wins,
         List<String> falseLeads,
+        List<String> traps,
         int wonAfter,
         int travel) {
 
@@ -29,6 +31,7 @@ public record Figures(
 
     public Figures {
         falseLeads = List.copyOf(falseLeads);
+        traps = List.copyOf(traps);
     }
 
     /** Share of the orders that win, 0 to 1. */
@@ -40,15 +43,20 @@ public record Figures(
     public String toString() {
         return String.format(
                 Locale.ROOT,
-                "par %d, %d boxes, %d of %d orders win (%.0f %%), misleading %s, won after %.2f s,"
-                        + " the ball goes %.2f m",
+                "par %d, %d boxes, %d of %d orders win (%.0f %%), first %s or all but %s loses, won"
+                        + " after %.2f s, the ball goes %.2f m",
                 par,
                 clickables,
                 wins,
                 orders,
                 PERCENT * share(),
-                String.join(" and ", falseLeads),
+                words(falseLeads),
+                words(traps),
                 Steps.seconds(wonAfter),
                 travel / PERCENT);
+    }
+
+    private static String words(List<String> ids) {
+        return ids.isEmpty() ? "none" : String.join(" or ", ids);
     }
 }

@@ -102,11 +102,15 @@ final class LevelCheck {
     }
 
     private void misleading(OrderSearch.Found found) {
-        List<String> leads = new FalseLeads(level, games).of(found.winning());
-        proved.add(
-                leads.isEmpty()
-                        ? "no first click misleads"
-                        : "first clicks that mislead: " + String.join(", ", leads));
+        FalseLeads leads = new FalseLeads(level, games);
+        tell("first clicks that mislead", leads.first(found.winning()));
+        level.solutions().stream()
+                .limit(1)
+                .forEach(one -> tell("the rest misleads without", leads.forgotten(one)));
+    }
+
+    private void tell(String what, List<String> ids) {
+        proved.add(what + ": " + (ids.isEmpty() ? "none" : String.join(", ", ids)));
     }
 
     private String parIsTooLarge() {

@@ -61,12 +61,14 @@ public final class Sieve {
     private Figures figures(Level level, Solution solution, OrderSearch.Found found) {
         Trial winning = new Trial(level, Replay.of(level, solution, Accuracy.GAME));
         double travel = travel(winning);
+        FalseLeads leads = new FalseLeads(level, games);
         return new Figures(
                 solution.clicks().size(),
                 level.clickables().size(),
                 found.orders(),
                 found.wins(),
-                new FalseLeads(level, games).of(found.winning()),
+                leads.first(found.winning()),
+                leads.forgotten(solution),
                 winning.game().steps(),
                 (int) Math.round(travel * CENTIMETRES));
     }
@@ -87,7 +89,7 @@ public final class Sieve {
 
     private boolean isSound(Level level, Solution solution) {
         return wins(level, solution)
-                && !new FalseLeads(level, games).of(targets(solution)).isEmpty()
+                && misleads(level, solution)
                 && wins(level, late(solution))
                 && RestCheck.isAtRest(level, PRESETS)
                 && NeededClicks.winner(level, solution, PRESETS, games).isEmpty()
@@ -97,6 +99,11 @@ public final class Sieve {
 
     private boolean wins(Level level, Solution solution) {
         return games.play(level, Replay.of(level, solution, Accuracy.GAME)).isWon();
+    }
+
+    private boolean misleads(Level level, Solution solution) {
+        FalseLeads leads = new FalseLeads(level, games);
+        return !leads.forgotten(solution).isEmpty() || !leads.first(targets(solution)).isEmpty();
     }
 
     private static Set<String> targets(Solution solution) {

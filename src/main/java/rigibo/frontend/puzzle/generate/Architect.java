@@ -31,7 +31,7 @@ final class Architect {
     private static final double PLAIN = 0.45;
 
     /** The draw of a goal with a lid. */
-    private static final int LIDDED = 2;
+    private static final int LIDDED = 3;
 
     private final Chance chance;
     private final Plan plan;
@@ -82,17 +82,17 @@ final class Architect {
     /** A goal at the end of a way: with a lid, unless the way has its own trap. */
     private Goal goal(List<Way> ways) {
         boolean isTrapped = ways.stream().anyMatch(BridgeWay.class::isInstance);
-        return switch (isTrapped ? chance.below(4) : LIDDED) {
+        return switch (isTrapped ? chance.below(5) : LIDDED) {
             case 0 -> new Basin(chance);
-            case 1 -> new StopGoal(chance);
+            case 1, 2 -> new StopGoal(chance);
             default -> new LidGoal(chance);
         };
     }
 
     private Way crossing() {
-        return switch (chance.below(4)) {
+        return switch (chance.below(5)) {
             case 0 -> new DoorWay(chance);
-            case 1 -> new KeepWay(plan.radius());
+            case 1, 2 -> new KeepWay(plan.radius());
             default -> new BridgeWay(chance, plan.radius());
         };
     }

@@ -14,9 +14,12 @@ public final class Generator {
     private static final int ATTEMPTS = 100;
 
     /**
-     * Boxes that a plan must have besides those to delete; with fewer, any order wins too often.
+     * Boxes that a plan must have, in all and besides those to delete. With fewer, too many of the
+     * choices of par boxes are the right one: 1 of 3 with 2 of 3 boxes, but 1 of 4 with 3 of 4.
      */
-    private static final int LEAST_DECOYS = 2;
+    private static final int LEAST_BOXES = 4;
+
+    private static final int LEAST_DECOYS = 1;
 
     /** The largest seed; all from 0 to here have levels of their own. */
     public static final long LAST_SEED = 999_999_999_999L;
@@ -39,8 +42,7 @@ public final class Generator {
         Sieve sieve = new Sieve();
         for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
             Plan plan = Architect.plan(new Chance(seed, attempt));
-            Optional<Draft> draft =
-                    plan.decoys() < LEAST_DECOYS ? Optional.empty() : draft(seed, plan);
+            Optional<Draft> draft = hasChoice(plan) ? draft(seed, plan) : Optional.empty();
             Optional<Figures> figures = draft.flatMap(made -> sieve.figures(made.level));
             if (figures.isPresent()) {
                 Generated.Effort effort =
@@ -50,6 +52,11 @@ public final class Generator {
             }
         }
         return Optional.empty();
+    }
+
+    private static boolean hasChoice(Plan plan) {
+        int decoys = plan.boxes() - plan.clicks().size();
+        return decoys >= LEAST_DECOYS && plan.boxes() >= LEAST_BOXES;
     }
 
     /** A plan as a file, and the level in it. */

@@ -184,10 +184,9 @@ final class Plan {
         releasing.add(id);
     }
 
-    /** How many boxes and boards a click deletes that need not be deleted. */
-    int decoys() {
-        long boxes = bodies.stream().filter(body -> body.has("deletable")).count();
-        return (int) boxes - preparing.size() - releasing.size();
+    /** How many boxes and boards a click deletes. */
+    int boxes() {
+        return (int) bodies.stream().filter(body -> body.has("deletable")).count();
     }
 
     /** The clicks that should win, in an order in which they do. */

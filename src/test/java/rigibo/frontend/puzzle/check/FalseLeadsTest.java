@@ -30,7 +30,7 @@ class FalseLeadsTest {
                                     + " [0, 7.65]]}, \"x\": 0, \"y\": 0");
 
     private static List<String> leads(Level level, String... winning) {
-        return new FalseLeads(level, new Games(Games.Cores.ONE)).of(Set.of(winning));
+        return new FalseLeads(level, new Games(Games.Cores.ONE)).first(Set.of(winning));
     }
 
     @Test

