@@ -43,8 +43,8 @@ public record Figures(
     public String toString() {
         return String.format(
                 Locale.ROOT,
-                "par %d, %d boxes, %d of %d orders win (%.0f %%), first %s or all but %s loses, won"
-                        + " after %.2f s, the ball goes %.2f m",
+                "par %d, %d boxes, %d of %d orders win (%.0f %%), misleads first: %s, misleads"
+                        + " without: %s, won after %.2f s, the ball goes %.2f m",
                 par,
                 clickables,
                 wins,
@@ -57,6 +57,6 @@ public record Figures(
     }
 
     private static String words(List<String> ids) {
-        return ids.isEmpty() ? "none" : String.join(" or ", ids);
+        return ids.isEmpty() ? "none" : String.join(" ", ids);
     }
 }
