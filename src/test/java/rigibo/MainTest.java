@@ -45,6 +45,7 @@ class MainTest {
                 "fuzz",
                 "levels",
                 "levels check",
+                "levels generate",
                 "replay",
                 "record",
                 "cases",
@@ -70,6 +71,7 @@ class MainTest {
                 "tour --out",
                 "levels",
                 "levels dance",
+                "levels generate",
                 "cases --only",
                 "record",
                 "record tilt",
@@ -101,6 +103,10 @@ class MainTest {
         "lab --runs many, many",
         "lab --out README.md, not a directory",
         "lab --markdown no/such/place.md, no/such/place.md",
+        "levels generate --seed=-1, 0 to 999999999999",
+        "levels generate --seed=1000000000000, 0 to 999999999999",
+        "levels generate --seed=many, many",
+        "levels generate --seed=1 --count=0, 1 to 100000",
         "bench --scenes moon, large-pyramid",
         "bench --engines bullet, rigibo",
         "bench --moving moon, rain-boxes-10",
@@ -114,7 +120,13 @@ class MainTest {
     })
     void wrongChoiceIsRefusedWithTheRightOnes(String typed, String named) {
         assertThat(run(typed.split(" "))).isEqualTo(2);
-        assertThat(err.toString()).contains(typed.split(" ")[1], named);
+        assertThat(err.toString()).contains(option(typed), named);
+    }
+
+    /** The last option that was typed, which is the one at fault. */
+    private static String option(String typed) {
+        String options = typed.substring(typed.lastIndexOf("--"));
+        return options.split("[ =]")[0];
     }
 
     @Test

@@ -111,6 +111,6 @@ public final class Catalog {
 
     /** The list of levels. */
     public static Scene levels(Director director) {
-        return new LevelsScene(director, entries());
+        return new LevelsScene(director, entries(), Levels.made());
     }
 }

@@ -22,7 +22,7 @@ record LevelCard(LevelList levels, int level, Words words) {
     /** px. */
     static final double WIDTH = 162;
 
-    static final double HEIGHT = 152;
+    static final double HEIGHT = 138;
 
     private static final double STRIP = 30;
     private static final double PICTURE = HEIGHT - STRIP;

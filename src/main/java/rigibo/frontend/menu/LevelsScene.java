@@ -24,7 +24,7 @@ public final class LevelsScene implements Scene {
     private static final int ROWS = 4;
     private static final double EDGE = 20;
     private static final double GAP = 10;
-    private static final double TOP = 84;
+    private static final double TOP = 126;
     private static final double PITCH_X = LevelCard.WIDTH + GAP;
     private static final double PITCH_Y = LevelCard.HEIGHT + GAP;
     private static final double FOOT_TOP = HEIGHT - 58;
@@ -34,12 +34,16 @@ public final class LevelsScene implements Scene {
     private static final double BUTTON_WIDTH = 130;
     private static final double BUTTON_HEIGHT = 42;
 
-    /** Number of tiles before those of the levels. */
+    /** The row of the levels that are made by chance. */
+    private static final double MADE_TOP = 74;
+
+    /** Number of buttons above that row. */
     private static final int BUTTONS = 2;
 
     private final Director director;
     private final Words words;
     private final LevelList levels;
+    private final List<SceneEntry> made;
     private final Tile watch =
             new Tile(
                     WIDTH - EDGE - WATCH_WIDTH,
@@ -55,20 +59,37 @@ public final class LevelsScene implements Scene {
 
     private Tiles tiles;
 
-    /** A list of the levels among some entries, with the next one to play selected. */
-    public LevelsScene(Director director, List<SceneEntry> entries) {
+    /**
+     * A list of the levels among some entries, with the next one to play selected.
+     *
+     * @param made what leads to levels that are made by chance, two at most
+     */
+    public LevelsScene(Director director, List<SceneEntry> entries, List<SceneEntry> made) {
+        this.made = List.copyOf(made);
         this.director = director;
         words = director.words();
         levels = LevelList.of(entries, director.progress());
-        layOut(levels.levels().isEmpty() ? 0 : levels.next() + BUTTONS);
+        layOut(levels.levels().isEmpty() ? 0 : levels.next() + before());
         bringIntoSight();
     }
 
-    /** The tiles: the way back, codes, then the levels; rows out of sight have none. */
+    /** Number of tiles before those of the levels. */
+    private int before() {
+        return BUTTONS + made.size();
+    }
+
+    /**
+     * The tiles: the way back, codes, levels made by chance, then the levels; rows out of sight
+     * have none.
+     */
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
         laid.add(button(EDGE, this::drawBack, director::showMenu));
         laid.add(button(EDGE + BUTTON_WIDTH + GAP, this::drawPaste, director::paste));
+        double width = (WIDTH - 2 * EDGE + GAP) / Math.max(1, made.size()) - GAP;
+        for (int i = 0; i < made.size(); i++) {
+            laid.add(made(made.get(i), EDGE + i * (width + GAP), width));
+        }
         for (int i = 0; i < levels.levels().size(); i++) {
             int level = i;
             laid.add(
@@ -81,6 +102,17 @@ public final class LevelsScene implements Scene {
                             () -> open(level)));
         }
         tiles = new Tiles(laid, chosen);
+    }
+
+    private Tile made(SceneEntry entry, double x, double width) {
+        String name = entry.title().apply(words);
+        return new Tile(
+                x,
+                MADE_TOP,
+                width,
+                BUTTON_HEIGHT,
+                (canvas, tile, isChosen) -> Print.button(canvas, tile, name, isChosen),
+                () -> open(entry));
     }
 
     private static Tile button(double x, Tile.Look look, Runnable action) {
@@ -108,15 +140,25 @@ public final class LevelsScene implements Scene {
 
     private void open(int level) {
         if (levels.isOpen(level)) {
-            director.sounds().press();
-            director.show(levels.levels().get(level).open().apply(director));
+            open(levels.levels().get(level));
         } else {
             director.sounds().refuse();
         }
     }
 
+    private void open(SceneEntry entry) {
+        director.sounds().press();
+        director.show(entry.open().apply(director));
+    }
+
+    /** What is chosen among the levels made by chance. */
+    private Optional<SceneEntry> chosenMade() {
+        int entry = tiles.chosen() - BUTTONS;
+        return entry >= 0 && entry < made.size() ? Optional.of(made.get(entry)) : Optional.empty();
+    }
+
     private OptionalInt chosenLevel() {
-        int level = tiles.chosen() - BUTTONS;
+        int level = tiles.chosen() - before();
         return level < 0 ? OptionalInt.empty() : OptionalInt.of(level);
     }
 
@@ -181,7 +223,9 @@ public final class LevelsScene implements Scene {
     private String about() {
         OptionalInt chosen = chosenLevel();
         if (chosen.isEmpty()) {
-            return words.of("menu.choose");
+            return chosenMade()
+                    .map(entry -> entry.words().apply(words))
+                    .orElseGet(() -> words.of("menu.choose"));
         }
         if (isMissed) {
             return words.of("replay.none-kept");

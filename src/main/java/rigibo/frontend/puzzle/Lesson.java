@@ -60,6 +60,11 @@ final class Lesson {
                 !isSolved && number == 0);
     }
 
+    /** Nothing to teach. */
+    static Lesson none() {
+        return new Lesson(Optional.empty(), false);
+    }
+
     private static Set<Verb> verbs(Level level) {
         return level.clickables().stream().map(Clickable::verb).collect(Collectors.toSet());
     }

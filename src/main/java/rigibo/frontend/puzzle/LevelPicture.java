@@ -20,9 +20,10 @@ import java.util.List;
 /** A picture of a level at its start, as large as fits. */
 final class LevelPicture implements SceneEntry.Picture {
 
-    /** Largest scale, px per m; a level of few and small bodies is not enlarged further. */
-    private static final double MOST_SCALE = 22;
+    /** Largest scale on a card, px per m; few and small bodies are not enlarged further. */
+    private static final double ON_A_CARD = 22;
 
+    private final double mostScale;
     private final List<Part> parts = new ArrayList<>();
     private final List<LevelJoint> joints;
 
@@ -39,7 +40,18 @@ final class LevelPicture implements SceneEntry.Picture {
         }
     }
 
+    /** A picture for a card in a list. */
     LevelPicture(Level level) {
+        this(level, ON_A_CARD);
+    }
+
+    /**
+     * A picture of any size.
+     *
+     * @param mostScale largest scale, px per m
+     */
+    LevelPicture(Level level, double mostScale) {
+        this.mostScale = mostScale;
         first = level.balls().get(0);
         joints = level.joints();
         Platform platform = level.platform();
@@ -89,7 +101,7 @@ final class LevelPicture implements SceneEntry.Picture {
     private Camera camera(double x, double y, double width, double height) {
         double fitting =
                 Math.min(width / (whole.maxX - whole.minX), height / (whole.maxY - whole.minY));
-        double scale = Math.min(MOST_SCALE, fitting);
+        double scale = Math.min(mostScale, fitting);
         Camera plain = new Camera(0, 0, scale);
         return new Camera(
                 (whole.minX + whole.maxX) / 2 - plain.worldX(x + width / 2),

@@ -10,6 +10,7 @@ import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.scene.SceneEntry;
 
 import java.nio.file.Path;
+import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -28,6 +29,19 @@ public final class Levels {
             entries.add(entry(levels, i));
         }
         return entries;
+    }
+
+    /** What leads to levels that are made by chance: that of the day, and the endless ones. */
+    public static List<SceneEntry> made() {
+        return List.of(
+                SceneEntry.of(
+                        "daily",
+                        director -> new MadeLevelScene(director, Day.of(Clock.systemUTC()))),
+                SceneEntry.of(
+                        "endless",
+                        director ->
+                                new MadeLevelScene(
+                                        director, new Endless(director.progress().endless()))));
     }
 
     /** The levels of the game that can be played, in the order of their files. */

@@ -23,9 +23,12 @@ import java.util.Set;
 public final class PuzzleScene implements Scene {
 
     private final Director director;
-    private final List<Level> levels;
-    private final int number;
     private final Level level;
+    private final Sequel sequel;
+
+    /** Whether it is the game's first level, which shows itself in all its states. */
+    private final boolean isFirst;
+
     private final Session session;
     private final View view;
     private final Table table;
@@ -37,15 +40,40 @@ public final class PuzzleScene implements Scene {
 
     /** One of several levels, which are played in their order. */
     public PuzzleScene(Director director, List<Level> levels, int number) {
+        this(
+                director,
+                levels.get(number),
+                new Tally(director, levels.get(number)),
+                Sequel.of(director, levels, number),
+                Lesson.of(levels, number, isSolved(director, levels.get(number))),
+                number == 0 && levels.size() > 1);
+    }
+
+    /** A level that was made, with its own ledger, and what comes after it; it teaches nothing. */
+    PuzzleScene(Director director, Level level, Ledger ledger, Sequel sequel) {
+        this(director, level, new Tally(director, level, ledger), sequel, Lesson.none(), false);
+    }
+
+    private static boolean isSolved(Director director, Level level) {
+        return new LevelLedger(director, level).known().isSolved();
+    }
+
+    private PuzzleScene(
+            Director director,
+            Level level,
+            Tally tally,
+            Sequel sequel,
+            Lesson lesson,
+            boolean isFirst) {
         this.director = director;
-        this.levels = levels;
-        this.number = number;
-        level = levels.get(number);
+        this.level = level;
+        this.tally = tally;
+        this.sequel = sequel;
+        this.isFirst = isFirst;
         session = new Session(level, Accuracy.GAME);
         view = new View(level.world());
         table = new Table(session, view.camera(), new Noises(director.sounds(), session.game()));
-        tally = new Tally(director, level);
-        lesson = Lesson.of(levels, number, tally.isSolved());
+        this.lesson = lesson;
         panels = new Panels(level, session, view, director.words(), lesson);
     }
 
@@ -69,7 +97,7 @@ public final class PuzzleScene implements Scene {
     private void ended(PuzzleGame game) {
         tally.ended(game);
         table.letGo();
-        panels.end(game, number + 1 < levels.size());
+        panels.end(game, sequel.next().isPresent());
         if (game.isSolved()) {
             solution = Optional.of(game.replay().solution());
             table.celebrate(motion());
@@ -106,6 +134,7 @@ public final class PuzzleScene implements Scene {
     @Override
     public void closed() {
         panels.close();
+        sequel.close();
     }
 
     @Override
@@ -204,7 +233,7 @@ public final class PuzzleScene implements Scene {
             case REPLAY -> session.showAgain();
             case COPY -> copy();
             case STOP -> session.stopShow();
-            case NEXT -> director.show(new PuzzleScene(director, levels, number + 1));
+            case NEXT -> sequel.next().ifPresent(next -> director.show(next.get()));
             case LEVELS -> director.showLevels();
             case MENU -> director.showMenu();
         }
@@ -271,9 +300,7 @@ public final class PuzzleScene implements Scene {
             return Optional.empty();
         }
         return Optional.of(
-                number == 0 && levels.size() > 1
-                        ? new StatesShow(session, view.camera(), this::solving)
-                        : solving());
+                isFirst ? new StatesShow(session, view.camera(), this::solving) : solving());
     }
 
     private Demonstration solving() {

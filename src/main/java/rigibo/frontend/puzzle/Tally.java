@@ -6,12 +6,11 @@ import rigibo.frontend.puzzle.replay.ReplayShelf;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Director;
-import rigibo.frontend.scene.LevelProgress;
 
 import java.io.IOException;
 import java.util.Optional;
 
-/** Reports the end of each try to the player's progress; an experiment does not count. */
+/** Reports the end of each try to a ledger; an experiment does not count. */
 final class Tally {
 
     /** Number of failures after which the hint is offered. */
@@ -19,20 +18,34 @@ final class Tally {
 
     private final Director director;
     private final Level level;
-    private final long hash;
+    private final Ledger ledger;
     private final Optional<ReplayShelf> shelf;
 
-    Tally(Director director, Level level) {
+    private Tally(Director director, Level level, Ledger ledger, Optional<ReplayShelf> shelf) {
         this.director = director;
         this.level = level;
-        hash = level.hash();
-        shelf = director.replays().map(folder -> new ReplayShelf(folder, level));
+        this.ledger = ledger;
+        this.shelf = shelf;
+    }
+
+    /** The tally of a level that is there to stay, so that its runs are kept. */
+    Tally(Director director, Level level) {
+        this(
+                director,
+                level,
+                new LevelLedger(director, level),
+                director.replays().map(folder -> new ReplayShelf(folder, level)));
+    }
+
+    /** The tally of a level that was made, of which no run is kept. */
+    Tally(Director director, Level level, Ledger ledger) {
+        this(director, level, ledger, Optional.empty());
     }
 
     /** Records a try that was won or lost. */
     void ended(PuzzleGame game) {
         if (game.isSolved()) {
-            director.progress(director.progress().solved(level.id(), hash, game.clicks()));
+            ledger.solved(game);
             shelf.ifPresent(place -> keep(place, game));
         } else if (game.outcome() == Outcome.LOST) {
             failed(game);
@@ -57,21 +70,12 @@ final class Tally {
 
     private void failed(PuzzleGame game) {
         if (!game.isExperiment()) {
-            director.progress(director.progress().failed(level.id(), hash));
+            ledger.failed();
         }
-    }
-
-    /** Whether the player ever solved the level. */
-    boolean isSolved() {
-        return known().isSolved();
     }
 
     /** Failures still missing before the hint is offered; 0 if it may be shown. */
     int failuresToHint() {
-        return Math.max(0, PATIENCE - known().failures());
-    }
-
-    private LevelProgress known() {
-        return director.progress().of(level.id(), hash);
+        return Math.max(0, PATIENCE - ledger.known().failures());
     }
 }

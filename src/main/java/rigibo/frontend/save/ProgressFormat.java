@@ -1,11 +1,15 @@
 package rigibo.frontend.save;
 
 import rigibo.frontend.document.Value;
+import rigibo.frontend.scene.DayResult;
 import rigibo.frontend.scene.LevelProgress;
 import rigibo.frontend.scene.Progress;
 
 import tools.jackson.databind.node.ObjectNode;
 
+import java.time.LocalDate;
+import java.time.format.DateTimeParseException;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -13,6 +17,9 @@ import java.util.regex.Pattern;
 
 /** Progress in JSON. Hashes are hexadecimal text, since JSON numbers need not have 64 bits. */
 final class ProgressFormat implements Format<Progress> {
+
+    /** Largest whole number in a file. */
+    private static final int MOST = Integer.MAX_VALUE;
 
     private static final Pattern HASH = Pattern.compile("[0-9a-fA-F]{1,16}");
 
@@ -28,7 +35,34 @@ final class ProgressFormat implements Format<Progress> {
         for (String id : all.members()) {
             levels.put(id, level(all.required(id).object()));
         }
-        return new Progress(levels);
+        return new Progress(
+                levels, days(json.optional("days")), json.optional("endless").whole(1, MOST, 1));
+    }
+
+    /** The results of days, which files before them do not have. */
+    private static SortedMap<LocalDate, DayResult> days(Value json) {
+        SortedMap<LocalDate, DayResult> days = new TreeMap<>();
+        if (json.isThere()) {
+            for (String date : json.object().members()) {
+                Value day = json.required(date).object();
+                date(date, day).ifPresent(found -> days.put(found, result(day)));
+            }
+        }
+        return days;
+    }
+
+    private static Optional<LocalDate> date(String name, Value day) {
+        try {
+            return Optional.of(LocalDate.parse(name));
+        } catch (DateTimeParseException none) {
+            day.wrong("must have a date as its name, like 2026-11-27");
+            return Optional.empty();
+        }
+    }
+
+    private static DayResult result(Value day) {
+        return new DayResult(
+                day.required("clicks").whole(1, MOST, 1), day.required("steps").whole(1, MOST, 1));
     }
 
     private static LevelProgress level(Value json) {
@@ -37,7 +71,7 @@ final class ProgressFormat implements Format<Progress> {
                 hash(json.required("hash")),
                 isSolved,
                 clicks(json.optional("fewestClicks"), isSolved),
-                json.required("failures").whole(0, Integer.MAX_VALUE, 0));
+                json.required("failures").whole(0, MOST, 0));
     }
 
     private static long hash(Value json) {
@@ -48,7 +82,7 @@ final class ProgressFormat implements Format<Progress> {
         if (!json.isThere()) {
             return OptionalInt.empty();
         }
-        int clicks = json.whole(0, Integer.MAX_VALUE, 0);
+        int clicks = json.whole(0, MOST, 0);
         if (!isSolved) {
             json.wrong("must be missing until the level is solved");
         }
@@ -59,6 +93,14 @@ final class ProgressFormat implements Format<Progress> {
     public void write(Progress progress, ObjectNode json) {
         ObjectNode levels = json.putObject("levels");
         progress.levels().forEach((id, level) -> write(level, levels.putObject(id)));
+        ObjectNode days = json.putObject("days");
+        progress.days()
+                .forEach(
+                        (date, result) ->
+                                days.putObject(date.toString())
+                                        .put("clicks", result.clicks())
+                                        .put("steps", result.steps()));
+        json.put("endless", progress.endless());
     }
 
     private static void write(LevelProgress level, ObjectNode json) {

@@ -1,24 +1,35 @@
 package rigibo.frontend.scene;
 
+import java.time.LocalDate;
 import java.util.Collections;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * A player's progress in all levels; immutable. A changed value is passed to {@link
- * Director#progress(Progress)}.
+ * A player's progress: in the levels of the game, in those of days, and in the endless ones;
+ * immutable. A changed value is passed to {@link Director#progress(Progress)}.
  *
  * @param levels by the level's id, in its order
+ * @param days the best game at the level of each day that was solved, by its date
+ * @param endless number of the endless level that is next, from 1
  */
-public record Progress(SortedMap<String, LevelProgress> levels) {
+public record Progress(
+        SortedMap<String, LevelProgress> levels,
+        SortedMap<LocalDate, DayResult> days,
+        int endless) {
 
     public Progress {
+        if (endless < 1) {
+            throw new IllegalArgumentException(
+                    "Progress.endless must be 1 or more, was " + endless);
+        }
         levels = Collections.unmodifiableSortedMap(new TreeMap<>(levels));
+        days = Collections.unmodifiableSortedMap(new TreeMap<>(days));
     }
 
     /** Nothing yet. */
     public static Progress none() {
-        return new Progress(Collections.emptySortedMap());
+        return new Progress(Collections.emptySortedMap(), Collections.emptySortedMap(), 1);
     }
 
     /**
@@ -45,13 +56,27 @@ public record Progress(SortedMap<String, LevelProgress> levels) {
     private Progress with(String id, LevelProgress level) {
         SortedMap<String, LevelProgress> changed = new TreeMap<>(levels);
         changed.put(id, level);
-        return new Progress(changed);
+        return new Progress(changed, days, endless);
+    }
+
+    /** After a game that solved the level of a day. */
+    public Progress solvedDay(LocalDate date, DayResult result) {
+        SortedMap<LocalDate, DayResult> changed = new TreeMap<>(days);
+        changed.merge(date, result, DayResult::best);
+        return new Progress(levels, changed, endless);
+    }
+
+    /** After the endless level before a number; what lies behind is not gone back to. */
+    public Progress endless(int next) {
+        return new Progress(levels, days, Math.max(endless, next));
     }
 
     /** Together with what was done elsewhere. */
     public Progress with(Progress other) {
         SortedMap<String, LevelProgress> all = new TreeMap<>(levels);
         other.levels.forEach((id, level) -> all.merge(id, level, LevelProgress::with));
-        return new Progress(all);
+        SortedMap<LocalDate, DayResult> allDays = new TreeMap<>(days);
+        other.days.forEach((date, result) -> allDays.merge(date, result, DayResult::best));
+        return new Progress(all, allDays, Math.max(endless, other.endless));
     }
 }

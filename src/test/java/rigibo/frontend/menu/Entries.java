@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** What a menu lists, with scenes that only have names. */
 final class Entries {
@@ -41,6 +42,13 @@ final class Entries {
     /** Of the first level a run was kept. */
     private static Optional<Scene> kept(int number) {
         return number == 0 ? Optional.of(new Named("run of level0")) : Optional.empty();
+    }
+
+    /** What leads to levels that are made by chance. */
+    static List<SceneEntry> made() {
+        return Stream.of("daily", "endless")
+                .map(name -> SceneEntry.of(name, director -> new Named(name)))
+                .toList();
     }
 
     /** Some levels, and all else that the game has. */

@@ -16,6 +16,8 @@ import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 
+import java.util.List;
+
 /** Menu, levels and settings, used as a player does, by what is drawn. */
 class MenuScenesTest {
 
@@ -45,7 +47,7 @@ class MenuScenesTest {
     @Test
     void theBestRunOfASolvedLevelCanBeWatched() {
         director.progress(Progress.none().solved("level0", Entries.HASH, 1));
-        LevelsScene scene = new LevelsScene(director, Entries.levels(3));
+        LevelsScene scene = new LevelsScene(director, Entries.levels(3), Entries.made());
         assertThat(RecordingCanvas.of(scene).texts()).doesNotContain("Watch your best (V)");
         press(scene, Key.LEFT);
         click(scene, "Watch your best (V)");
@@ -56,7 +58,7 @@ class MenuScenesTest {
     @Test
     void whereNoRunWasKeptTheListSaysSo() {
         director.progress(Progress.none().solved("level1", Entries.HASH, 1));
-        LevelsScene scene = new LevelsScene(director, Entries.levels(3));
+        LevelsScene scene = new LevelsScene(director, Entries.levels(3), Entries.made());
         press(scene, Key.RIGHT, Key.V);
         assertThat(RecordingCanvas.of(scene).texts()).contains("No run of it was kept");
         assertThat(director.shown).isEmpty();
@@ -77,9 +79,21 @@ class MenuScenesTest {
 
     @Test
     void codesArePastedByAButton() {
-        LevelsScene scene = new LevelsScene(director, Entries.levels(3));
+        LevelsScene scene = new LevelsScene(director, Entries.levels(3), Entries.made());
         click(scene, "Paste code");
         assertThat(director.asked).containsExactly("paste");
+        assertLegible(scene);
+    }
+
+    @Test
+    void levelsMadeByChanceAreAboveTheList() {
+        LevelsScene scene = new LevelsScene(director, Entries.levels(15), Entries.made());
+        click(scene, "Level of the day");
+        assertThat(shown()).isEqualTo("daily");
+        assertThat(RecordingCanvas.of(scene).texts())
+                .contains("The same for everybody, a new one each day");
+        press(scene, Key.TAB, Key.ENTER);
+        assertThat(shown()).isEqualTo("endless");
         assertLegible(scene);
     }
 
@@ -98,8 +112,8 @@ class MenuScenesTest {
                         .solved("level2", Entries.HASH, 9)
                         .solved("level3", 0, 1));
         assertLegible(new MenuScene(told, Entries.all(15)));
-        assertLegible(new LevelsScene(told, Entries.all(15)));
-        assertLegible(new LevelsScene(told, Entries.all(40)));
+        assertLegible(new LevelsScene(told, Entries.all(15), Entries.made()));
+        assertLegible(new LevelsScene(told, Entries.all(40), Entries.made()));
         assertLegible(new SettingsScene(told));
         told.tell(NOTICE);
         told.tell(NOTICE);
@@ -151,7 +165,7 @@ class MenuScenesTest {
     void withoutLevelsTheRestOfTheMenuWorks() {
         click(new MenuScene(director, Entries.all(0)), "Crate");
         assertThat(shown()).isEqualTo("crate");
-        press(new LevelsScene(director, Entries.all(0)), Key.DOWN, Key.ENTER);
+        press(new LevelsScene(director, Entries.all(0), List.of()), Key.DOWN, Key.ENTER);
         assertThat(director.asked).containsExactly("menu");
     }
 
@@ -180,7 +194,7 @@ class MenuScenesTest {
     @Test
     void arrowsGoThroughTheGridOfLevels() {
         director.progress(allSolved(15));
-        LevelsScene levels = new LevelsScene(director, Entries.levels(15));
+        LevelsScene levels = new LevelsScene(director, Entries.levels(15), Entries.made());
         press(levels, Key.RIGHT, Key.DOWN, Key.ENTER);
         assertThat(shown()).isEqualTo("level5");
         press(levels, Key.LEFT, Key.UP, Key.UP, Key.ENTER);
@@ -197,7 +211,7 @@ class MenuScenesTest {
 
     @Test
     void aLockedLevelSaysWhatOpensItAndStaysClosed() {
-        LevelsScene levels = new LevelsScene(director, Entries.levels(15));
+        LevelsScene levels = new LevelsScene(director, Entries.levels(15), Entries.made());
         press(levels, Key.DOWN, Key.ENTER);
         assertThat(director.shown).isEmpty();
         assertThat(RecordingCanvas.of(levels).texts()).contains("Opens when level 4 is solved");
@@ -206,7 +220,7 @@ class MenuScenesTest {
     @Test
     void theListMovesToTheChosenLevelWhenThereAreMoreThanFit() {
         director.progress(allSolved(40));
-        LevelsScene levels = new LevelsScene(director, Entries.levels(40));
+        LevelsScene levels = new LevelsScene(director, Entries.levels(40), Entries.made());
         for (int i = 0; i < 9; i++) {
             press(levels, Key.DOWN);
         }

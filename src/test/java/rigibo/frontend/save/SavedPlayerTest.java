@@ -8,6 +8,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.frontend.scene.DayResult;
 import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Words;
@@ -15,6 +16,7 @@ import rigibo.frontend.scene.Words;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -22,7 +24,11 @@ import java.util.stream.Stream;
 class SavedPlayerTest {
 
     private static final Progress ONE = Progress.none().solved("tilt", 7, 2);
-    private static final Progress TWO = ONE.solved("seesaw", -1, 1).failed("tilt", 7);
+    private static final Progress TWO =
+            ONE.solved("seesaw", -1, 1)
+                    .failed("tilt", 7)
+                    .solvedDay(LocalDate.of(2026, 11, 27), new DayResult(2, 900))
+                    .endless(12);
 
     @TempDir Path folder;
 
@@ -85,6 +91,18 @@ class SavedPlayerTest {
     }
 
     @Test
+    void readsProgressFromBeforeThereWereLevelsOfDays() throws IOException {
+        String before =
+                "{\"format\": 1, \"levels\": {\"tilt\": {\"hash\": \"7\", \"solved\": true,"
+                        + " \"fewestClicks\": 2, \"failures\": 0}}}";
+        Files.writeString(file("progress.json"), before);
+        try (SavedPlayer player = start()) {
+            assertThat(player.progress()).isEqualTo(Progress.none().solved("tilt", 7, 2));
+            assertThat(notices(player)).isEmpty();
+        }
+    }
+
+    @Test
     void keepsTheFileBeforeAndLeavesNothingElse() throws IOException {
         play(ONE);
         byte[] first = Files.readAllBytes(file("progress.json"));
@@ -120,6 +138,12 @@ class SavedPlayerTest {
                         + " \"failures\": 0}}}",
                 "{\"format\": 1, \"levels\": {\"tilt\": {\"hash\": \"7\", \"solved\": true,"
                         + " \"failures\": -3}}}",
+                "{\"format\": 1, \"levels\": {}, \"days\": []}",
+                "{\"format\": 1, \"levels\": {}, \"days\": {\"2026-02-30\": {\"clicks\": 2,"
+                        + " \"steps\": 900}}}",
+                "{\"format\": 1, \"levels\": {}, \"days\": {\"2026-11-27\": {\"clicks\": 0,"
+                        + " \"steps\": 900}}}",
+                "{\"format\": 1, \"levels\": {}, \"endless\": 0}",
                 "{\"format\": 1, \"levels\": {}} and more"
             })
     void setsADamagedFileAsideAndUsesTheBackup(String damage) throws IOException {

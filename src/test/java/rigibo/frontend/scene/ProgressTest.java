@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
+import java.time.LocalDate;
+import java.util.Map;
 import java.util.OptionalInt;
+import java.util.TreeMap;
 
 class ProgressTest {
 
@@ -46,7 +49,47 @@ class ProgressTest {
     }
 
     @Test
+    void bestResultOfADayHasFewestClicksThenTheShortestTime() {
+        LocalDate date = LocalDate.of(2026, 11, 27);
+        Progress progress = Progress.none().solvedDay(date, new DayResult(3, 900));
+        assertThat(progress.solvedDay(date, new DayResult(2, 1200)).days())
+                .containsEntry(date, new DayResult(2, 1200));
+        assertThat(progress.solvedDay(date, new DayResult(3, 800)).days())
+                .containsEntry(date, new DayResult(3, 800));
+        assertThat(progress.solvedDay(date, new DayResult(4, 100)).days())
+                .containsEntry(date, new DayResult(3, 900));
+    }
+
+    @Test
+    void whatTwoGamesHaveDoneCountsTogether() {
+        LocalDate date = LocalDate.of(2026, 11, 27);
+        Progress here = Progress.none().solvedDay(date, new DayResult(3, 900)).endless(5);
+        Progress there =
+                Progress.none()
+                        .solvedDay(date, new DayResult(2, 900))
+                        .solvedDay(date.plusDays(1), new DayResult(4, 900))
+                        .endless(3);
+        Progress both = here.with(there);
+        assertThat(both).isEqualTo(there.with(here));
+        assertThat(both.endless()).isEqualTo(5);
+        assertThat(both.days())
+                .containsOnly(
+                        Map.entry(date, new DayResult(2, 900)),
+                        Map.entry(date.plusDays(1), new DayResult(4, 900)));
+    }
+
+    @Test
+    void endlessLevelsAreNotGoneBackTo() {
+        assertThat(Progress.none().endless()).isEqualTo(1);
+        assertThat(Progress.none().endless(7).endless(3).endless()).isEqualTo(7);
+    }
+
+    @Test
     void refusesWhatCannotBe() {
+        assertThatThrownBy(() -> new DayResult(0, 1)).hasMessageContaining("clicks");
+        assertThatThrownBy(() -> new DayResult(1, 0)).hasMessageContaining("steps");
+        assertThatThrownBy(() -> new Progress(new TreeMap<>(), new TreeMap<>(), 0))
+                .hasMessageContaining("endless");
         assertThatThrownBy(() -> new LevelProgress(HASH, true, OptionalInt.of(-1), 0))
                 .hasMessageContaining("fewestClicks");
         assertThatThrownBy(() -> new LevelProgress(HASH, true, OptionalInt.of(1), -1))

@@ -1,5 +1,7 @@
 package rigibo.frontend.editor.draft;
 
+import rigibo.frontend.puzzle.level.LevelText;
+
 import tools.jackson.core.JsonPointer;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ArrayNode;
@@ -183,6 +185,6 @@ public final class Draft {
 
     @Override
     public String toString() {
-        return DraftText.of(root);
+        return LevelText.of(root);
     }
 }

@@ -25,6 +25,7 @@ final class LevelCheck {
     private final Level level;
     private final List<Preset> presets;
     private final List<String> proved = new ArrayList<>();
+    private final Games games = new Games(Games.Cores.ALL);
 
     private LevelCheck(LoadedLevel loaded, Level level, List<Preset> presets) {
         this.loaded = loaded;
@@ -55,31 +56,31 @@ final class LevelCheck {
     }
 
     private void solution(String pointer, Solution solution) {
-        SolutionTrials played = SolutionTrials.of(level, solution, presets);
-        int games = played.games().size();
+        SolutionTrials trials = SolutionTrials.of(level, solution, presets, games);
+        int count = trials.games().size();
         String clicks =
                 solution.clicks().stream()
                         .map(click -> click.target() + " at " + click.seconds() + " s")
                         .collect(Collectors.joining(", "));
-        proved.add(clicks + ": wins " + played.wins() + " of " + games + " games");
-        played.firstLost()
+        proved.add(clicks + ": wins " + trials.wins() + " of " + count + " games");
+        trials.firstLost()
                 .ifPresent(
                         lost ->
                                 loaded.error(
                                         pointer,
                                         "E151 wins only "
-                                                + played.wins()
+                                                + trials.wins()
                                                 + " of "
-                                                + games
+                                                + count
                                                 + " games with everything up to 10 mm aside and"
                                                 + " clicks up to 0.1 s late; lost "
                                                 + lost));
-        NeededClicks.winner(level, solution, presets)
+        NeededClicks.winner(level, solution, presets, games)
                 .ifPresent(words -> loaded.error(pointer, "E152 has a click too many: " + words));
     }
 
     private void singleClicks() {
-        Optional<String> winner = new SingleClicks(level, presets).winner();
+        Optional<String> winner = new SingleClicks(level, presets, games).winner();
         winner.ifPresentOrElse(
                 words -> loaded.error("/rules/par", parIsTooLarge() + words),
                 () -> proved.add("no single click wins"));
@@ -90,11 +91,26 @@ final class LevelCheck {
      * not as a proof.
      */
     private void orders() {
-        OrderSearch.Found found = new OrderSearch(level, Accuracy.GAME).search();
+        OrderSearch.Found found = new OrderSearch(level, Accuracy.GAME, games).search();
         found.shorter()
                 .ifPresentOrElse(
                         clicks -> loaded.error("/rules/par", parIsTooLarge() + words(clicks)),
-                        () -> proved.add(share(found)));
+                        () -> {
+                            proved.add(share(found));
+                            misleading(found);
+                        });
+    }
+
+    private void misleading(OrderSearch.Found found) {
+        FalseLeads leads = new FalseLeads(level, games);
+        tell("first clicks that mislead", leads.first(found.winning()));
+        level.solutions().stream()
+                .limit(1)
+                .forEach(one -> tell("the rest misleads without", leads.forgotten(one)));
+    }
+
+    private void tell(String what, List<String> ids) {
+        proved.add(what + ": " + (ids.isEmpty() ? "none" : String.join(", ", ids)));
     }
 
     private String parIsTooLarge() {

@@ -26,18 +26,19 @@ final class NeededClicks {
     private NeededClicks() {}
 
     /** Describes the first subset of a solution that wins alone. */
-    static Optional<String> winner(Level level, Solution solution, List<Preset> presets) {
-        return parts(solution).parallelStream()
+    static Optional<String> winner(
+            Level level, Solution solution, List<Preset> presets, Games games) {
+        return games.each(parts(solution))
                 .flatMap(part -> presets.stream().map(preset -> new Part(part, preset)))
-                .filter(part -> part.wins(level))
+                .filter(part -> part.wins(level, games))
                 .findFirst()
                 .map(Part::words);
     }
 
     private record Part(Solution clicks, Preset preset) {
 
-        boolean wins(Level level) {
-            return Trial.play(level, Replay.of(level, clicks, preset.accuracy())).isWon();
+        boolean wins(Level level, Games games) {
+            return games.play(level, Replay.of(level, clicks, preset.accuracy())).isWon();
         }
 
         String words() {

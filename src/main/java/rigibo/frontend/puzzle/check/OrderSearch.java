@@ -36,11 +36,13 @@ final class OrderSearch {
 
     private final Level level;
     private final Accuracy accuracy;
+    private final Games games;
     private final int cooldown;
 
-    OrderSearch(Level level, Accuracy accuracy) {
+    OrderSearch(Level level, Accuracy accuracy, Games games) {
         this.level = level;
         this.accuracy = accuracy;
+        this.games = games;
         cooldown = Steps.of(level.limits().cooldown());
     }
 
@@ -50,9 +52,15 @@ final class OrderSearch {
      * @param orders games of par clicks that were played
      * @param wins how many of them were won
      * @param isWhole whether no round was a sample
+     * @param winning what is clicked in the games won
      * @param shorter clicks that win with less than par, if there are any
      */
-    record Found(int orders, int wins, boolean isWhole, Optional<List<Act>> shorter) {}
+    record Found(
+            int orders,
+            int wins,
+            boolean isWhole,
+            Set<String> winning,
+            Optional<List<Act>> shorter) {}
 
     /** Some clicks and how they ended. */
     private record Course(List<Act> clicks, Verdict verdict) {}
@@ -67,24 +75,31 @@ final class OrderSearch {
             round = played(sample(all));
             List<Course> won = round.stream().filter(course -> course.verdict.isWon()).toList();
             if (clicks == level.limits().par()) {
-                return new Found(round.size(), won.size(), isWhole, Optional.empty());
+                return new Found(round.size(), won.size(), isWhole, targets(won), Optional.empty());
             }
             if (!won.isEmpty()) {
-                return new Found(0, 0, isWhole, Optional.of(won.get(0).clicks));
+                return new Found(0, 0, isWhole, targets(won), Optional.of(won.get(0).clicks));
             }
         }
     }
 
+    private static Set<String> targets(List<Course> courses) {
+        return courses.stream()
+                .flatMap(course -> course.clicks.stream())
+                .map(Act::target)
+                .collect(Collectors.toSet());
+    }
+
     private Course play(List<Act> clicks) {
-        return new Course(clicks, Trial.play(level, new Replay(level.hash(), clicks, accuracy)));
+        return new Course(clicks, games.play(level, new Replay(level.hash(), clicks, accuracy)));
     }
 
     /**
      * Plays games. One whose click comes to a body that has meanwhile fallen out of the world is
      * dropped.
      */
-    private List<Course> played(List<List<Act>> games) {
-        return games.parallelStream()
+    private List<Course> played(List<List<Act>> some) {
+        return games.each(some)
                 .map(this::play)
                 .filter(course -> course.verdict.end() != Verdict.End.REFUSED)
                 .toList();

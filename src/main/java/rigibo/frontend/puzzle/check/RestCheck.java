@@ -12,6 +12,7 @@ import rigibo.frontend.scene.accuracy.Preset;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 
 /** E160: the level is not at rest before the first click. */
 final class RestCheck {
@@ -26,14 +27,29 @@ final class RestCheck {
 
     private RestCheck() {}
 
+    /** Whether nothing moves by itself, as far as anybody sees. */
+    static boolean isAtRest(Level level, List<Preset> presets) {
+        return presets.stream().map(preset -> looked(level, preset)).allMatch(RestCheck::isAtRest);
+    }
+
+    private static boolean isAtRest(PuzzleGame game) {
+        List<Ball> balls = game.level().balls();
+        return game.pieces().stream().allMatch(piece -> moved(piece) <= SETTLING)
+                && IntStream.range(0, balls.size())
+                        .allMatch(i -> moved(game.balls().get(i), balls.get(i)) <= SETTLING);
+    }
+
+    private static double moved(RigidBody body, Ball ball) {
+        return moved(body, ball.x(), ball.y());
+    }
+
     /** Reports which body moves, and how far at the preset at which it moves farthest. */
     static void check(LoadedLevel loaded, Level level, List<Preset> presets) {
         List<PuzzleGame> games = presets.stream().map(preset -> looked(level, preset)).toList();
         for (int i = 0; i < level.balls().size(); i++) {
             Ball ball = level.balls().get(i);
             int at = i;
-            double distance =
-                    farthest(games, game -> moved(game.balls().get(at), ball.x(), ball.y()));
+            double distance = farthest(games, game -> moved(game.balls().get(at), ball));
             report(loaded, i == 0 ? "/ball" : "/moreBalls/" + (i - 1), ball.name(), distance);
         }
         for (int i = 0; i < level.bodies().size(); i++) {

@@ -26,16 +26,18 @@ final class SingleClicks {
 
     private final Level level;
     private final List<Preset> presets;
+    private final Games games;
 
-    SingleClicks(Level level, List<Preset> presets) {
+    SingleClicks(Level level, List<Preset> presets, Games games) {
         this.level = level;
         this.presets = presets;
+        this.games = games;
     }
 
     /** Describes the first single click that wins. */
     Optional<String> winner() {
-        return level.clickables().stream().flatMap(this::clicks).toList().parallelStream()
-                .filter(click -> Trial.play(click.level, click.replay).isWon())
+        return games.each(level.clickables().stream().flatMap(this::clicks).toList())
+                .filter(click -> games.play(click.level, click.replay).isWon())
                 .findFirst()
                 .map(Click::words);
     }

@@ -7,6 +7,7 @@ import rigibo.frontend.scene.accuracy.Preset;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * A stored solution played on every preset asked for, as the file states it and with bodies
@@ -42,27 +43,32 @@ record SolutionTrials(List<Game> games) {
         }
     }
 
-    static SolutionTrials of(Level level, Solution solution, List<Preset> presets) {
-        int count = (SEEDS + 1) * presets.size();
-        return new SolutionTrials(
-                IntStream.range(0, count)
-                        .parallel()
-                        .mapToObj(
-                                i ->
-                                        play(
-                                                level,
-                                                solution,
-                                                presets.get(i % presets.size()),
-                                                i / presets.size()))
-                        .toList());
+    static SolutionTrials of(Level level, Solution solution, List<Preset> presets, Games games) {
+        return new SolutionTrials(all(level, solution, presets, games).toList());
     }
 
-    private static Game play(Level level, Solution solution, Preset preset, int seed) {
+    /** Whether every game is won; plays none after the first that is lost. */
+    static boolean winAll(Level level, Solution solution, List<Preset> presets, Games games) {
+        return all(level, solution, presets, games).allMatch(Game::isWon);
+    }
+
+    private static Stream<Game> all(
+            Level level, Solution solution, List<Preset> presets, Games games) {
+        int count = (SEEDS + 1) * presets.size();
+        return games.each(IntStream.range(0, count).boxed().toList())
+                .map(
+                        i -> {
+                            Preset preset = presets.get(i % presets.size());
+                            return play(level, solution, preset, i / presets.size(), games);
+                        });
+    }
+
+    private static Game play(Level level, Solution solution, Preset preset, int seed, Games games) {
         Level moved = Jitter.of(level, seed);
         return new Game(
                 preset,
                 seed,
-                Trial.play(moved, Jitter.of(moved, solution, preset.accuracy(), seed)));
+                games.play(moved, Jitter.of(moved, solution, preset.accuracy(), seed)));
     }
 
     int wins() {

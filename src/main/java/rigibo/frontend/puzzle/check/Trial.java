@@ -16,15 +16,29 @@ final class Trial {
     /** Steps after the last click within which a level must end. */
     private static final int PATIENCE = Steps.of(30);
 
-    private Trial() {}
+    private final Playback playback;
+    private final int deadline;
+
+    /** A game at its start. */
+    Trial(Level level, Replay replay) {
+        playback = new Playback(level, replay);
+        deadline = PATIENCE + lastClick(replay);
+    }
 
     static Verdict play(Level level, Replay replay) {
-        Playback playback = new Playback(level, replay);
-        int deadline = PATIENCE + lastClick(replay);
-        while (!isOver(playback) && playback.game().steps() < deadline) {
-            playback.step();
+        Trial trial = new Trial(level, replay);
+        while (!trial.isOver()) {
+            trial.step();
         }
-        return verdict(playback);
+        return trial.verdict();
+    }
+
+    void step() {
+        playback.step();
+    }
+
+    PuzzleGame game() {
+        return playback.game();
     }
 
     private static int lastClick(Replay replay) {
@@ -32,21 +46,22 @@ final class Trial {
         return count == 0 ? 0 : replay.acts().get(count - 1).step();
     }
 
-    private static boolean isOver(Playback playback) {
+    boolean isOver() {
         PuzzleGame game = playback.game();
         return game.outcome() != Outcome.RUNNING
                 || playback.refusal().isPresent()
-                || playback.isDone() && game.isStuck();
+                || playback.isDone() && game.isStuck()
+                || game.steps() >= deadline;
     }
 
-    private static Verdict verdict(Playback playback) {
+    private Verdict verdict() {
         PuzzleGame game = playback.game();
-        Verdict.End end = end(playback);
-        String why = end == Verdict.End.WON ? "" : why(playback);
+        Verdict.End end = end();
+        String why = end == Verdict.End.WON ? "" : why();
         return new Verdict(end, game.steps(), game.steps() - game.stillSteps(), why);
     }
 
-    private static Verdict.End end(Playback playback) {
+    private Verdict.End end() {
         PuzzleGame game = playback.game();
         if (playback.refusal().isPresent()) {
             return Verdict.End.REFUSED;
@@ -58,7 +73,7 @@ final class Trial {
         };
     }
 
-    private static String why(Playback playback) {
+    private String why() {
         Optional<Playback.Refusal> refusal = playback.refusal();
         if (refusal.isPresent()) {
             String target = "\"" + refusal.get().act().target() + "\"";

@@ -37,6 +37,21 @@ public record Level(
         solutions = List.copyOf(solutions);
     }
 
+    /** Returns this level with another id and title, which do not count for its hash. */
+    public Level called(String otherId, Wording otherTitle) {
+        return new Level(
+                otherId,
+                otherTitle,
+                hint,
+                world,
+                limits,
+                balls,
+                platform,
+                bodies,
+                joints,
+                solutions);
+    }
+
     /** A 64-bit hash of all that play depends on; texts and solutions do not count. */
     public long hash() {
         return LevelHash.of(this);

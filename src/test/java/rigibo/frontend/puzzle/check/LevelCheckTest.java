@@ -55,6 +55,8 @@ class LevelCheckTest {
                         "a.json: ok",
                         "  box at 1.0 s: wins 41 of 41 games",
                         "  1 of all 1 orders and times of 1 clicks win (100 %)",
+                        "  first clicks that mislead: none",
+                        "  the rest misleads without: none",
                         "1 levels, 0 with errors");
     }
 

@@ -1,4 +1,4 @@
-package rigibo.frontend.editor.draft;
+package rigibo.frontend.puzzle.level;
 
 import tools.jackson.core.io.JsonStringEncoder;
 import tools.jackson.databind.JsonNode;
@@ -7,7 +7,7 @@ import tools.jackson.databind.JsonNode;
  * Writes a document in the layout of the game's own levels: a value that fits on one line stands on
  * one, others take a line per member. The library's printer can only use one layout for everything.
  */
-public final class DraftText {
+public final class LevelText {
 
     private static final int WIDTH = 100;
     private static final String INDENT = "  ";
@@ -15,13 +15,13 @@ public final class DraftText {
 
     private final StringBuilder text = new StringBuilder();
 
-    private DraftText() {}
+    private LevelText() {}
 
     /** The text of a level file. */
     public static String of(JsonNode document) {
-        DraftText draft = new DraftText();
-        draft.rows(document, "");
-        return draft.text.append('\n').toString();
+        LevelText level = new LevelText();
+        level.rows(document, "");
+        return level.text.append('\n').toString();
     }
 
     /** Writes a value on one line if it fits, and otherwise on several. */

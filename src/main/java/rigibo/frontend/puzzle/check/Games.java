@@ -1,0 +1,63 @@
+package rigibo.frontend.puzzle.check;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.rules.Replay;
+
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.stream.Stream;
+
+/** Plays the games of a check, on one core or on all, and counts what that takes. */
+final class Games {
+
+    private final Cores cores;
+    private final LongAdder played = new LongAdder();
+    private final LongAdder steps = new LongAdder();
+
+    /** How many cores a check may use. */
+    enum Cores {
+        /** Only the one that runs the calling thread, beside a game that somebody plays. */
+        ONE,
+        ALL
+    }
+
+    Games(Cores cores) {
+        this.cores = cores;
+    }
+
+    /** The elements of a list, to be played with. */
+    <T> Stream<T> each(List<T> some) {
+        return cores == Cores.ONE ? some.stream() : some.parallelStream();
+    }
+
+    /**
+     * Plays given clicks until the game ends.
+     *
+     * @throws CancellationException when the thread was interrupted, since nobody waits any more
+     */
+    Verdict play(Level level, Replay replay) {
+        if (Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("the check was interrupted");
+        }
+        Verdict verdict = Trial.play(level, replay);
+        count(verdict.steps());
+        return verdict;
+    }
+
+    /** Counts a game that was played elsewhere. */
+    void count(int stepsOfIt) {
+        played.increment();
+        steps.add(stepsOfIt);
+    }
+
+    /** Games played so far. */
+    long played() {
+        return played.sum();
+    }
+
+    /** Steps of all games so far. */
+    long steps() {
+        return steps.sum();
+    }
+}

@@ -1,0 +1,135 @@
+package rigibo.frontend.puzzle.check;
+
+import rigibo.backend.RigidBody;
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Click;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.rules.Replay;
+import rigibo.frontend.scene.accuracy.Preset;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/**
+ * Keeps a level that was made by chance only if {@code levels check --accuracy GAME} would pass it
+ * and it is a puzzle: no luck solves it, and something misleads. Tests come in the order of their
+ * cost, and the first that fails ends it. Uses the calling thread alone.
+ */
+public final class Sieve {
+
+    /** Clicks of a solution, at least and at most. */
+    private static final int LEAST_PAR = 2;
+
+    private static final int MOST_PAR = 5;
+
+    /** Largest share of orders that may win. */
+    private static final double MOST_WINS = 0.3;
+
+    /** Time by which a player may be late with each click, s. */
+    private static final double LATE = 0.25;
+
+    private static final double CENTIMETRES = 100;
+
+    private static final List<Preset> PRESETS = List.of(Preset.GAME);
+
+    private final Games games = new Games(Games.Cores.ONE);
+
+    /**
+     * Returns what was found out about a level with one solution, whose clicks are its par; empty
+     * if it is no puzzle.
+     *
+     * @throws java.util.concurrent.CancellationException when the thread was interrupted
+     */
+    public Optional<Figures> figures(Level level) {
+        Solution solution = level.solutions().get(0);
+        int par = solution.clicks().size();
+        if (par < LEAST_PAR || par > MOST_PAR || !isSound(level, solution)) {
+            return Optional.empty();
+        }
+        OrderSearch.Found found = new OrderSearch(level, Accuracy.GAME, games).search();
+        if (found.shorter().isPresent()) {
+            return Optional.empty();
+        }
+        Figures figures = figures(level, solution, found);
+        return figures.share() <= MOST_WINS ? Optional.of(figures) : Optional.empty();
+    }
+
+    private Figures figures(Level level, Solution solution, OrderSearch.Found found) {
+        Trial winning = new Trial(level, Replay.of(level, solution, Accuracy.GAME));
+        double travel = travel(winning);
+        FalseLeads leads = new FalseLeads(level, games);
+        return new Figures(
+                solution.clicks().size(),
+                level.clickables().size(),
+                found.orders(),
+                found.wins(),
+                leads.first(found.winning()),
+                leads.forgotten(solution),
+                winning.game().steps(),
+                (int) Math.round(travel * CENTIMETRES));
+    }
+
+    /** Plays a game to its end; returns the length of the first ball's way, m. */
+    private double travel(Trial trial) {
+        RigidBody ball = trial.game().balls().get(0);
+        double travel = 0;
+        while (!trial.isOver()) {
+            double x = ball.x();
+            double y = ball.y();
+            trial.step();
+            travel += Math.hypot(ball.x() - x, ball.y() - y);
+        }
+        games.count(trial.game().steps());
+        return travel;
+    }
+
+    private boolean isSound(Level level, Solution solution) {
+        return wins(level, solution)
+                && misleads(level, solution)
+                && wins(level, late(solution))
+                && RestCheck.isAtRest(level, PRESETS)
+                && NeededClicks.winner(level, solution, PRESETS, games).isEmpty()
+                && new SingleClicks(level, PRESETS, games).winner().isEmpty()
+                && SolutionTrials.winAll(level, solution, PRESETS, games);
+    }
+
+    private boolean wins(Level level, Solution solution) {
+        return games.play(level, Replay.of(level, solution, Accuracy.GAME)).isWon();
+    }
+
+    private boolean misleads(Level level, Solution solution) {
+        FalseLeads leads = new FalseLeads(level, games);
+        return !leads.forgotten(solution).isEmpty() || !leads.first(targets(solution)).isEmpty();
+    }
+
+    private static Set<String> targets(Solution solution) {
+        return solution.clicks().stream().map(Click::target).collect(Collectors.toSet());
+    }
+
+    /** A solution with each click late, after the one before it was. */
+    private static Solution late(Solution solution) {
+        List<Click> clicks = solution.clicks();
+        return new Solution(
+                IntStream.range(0, clicks.size())
+                        .mapToObj(i -> late(clicks.get(i), (i + 1) * LATE))
+                        .toList());
+    }
+
+    private static Click late(Click click, double seconds) {
+        return new Click(click.seconds() + seconds, click.target());
+    }
+
+    /** Games that were played for all levels so far. */
+    public long games() {
+        return games.played();
+    }
+
+    /** Steps of 1/60 s in these games. */
+    public long steps() {
+        return games.steps();
+    }
+}

@@ -1,0 +1,77 @@
+package rigibo.frontend.puzzle.generate;
+
+import rigibo.frontend.puzzle.check.Figures;
+import rigibo.frontend.puzzle.check.Sieve;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelLoader;
+
+import java.util.Optional;
+
+/** Makes the level of a seed: tries plan after plan until one is a puzzle. */
+public final class Generator {
+
+    /** Plans tried with a seed before it is given up: it has no level then, on any machine. */
+    private static final int ATTEMPTS = 100;
+
+    /**
+     * Boxes that a plan must have, in all and besides those to delete. With fewer, too many of the
+     * choices of par boxes are the right one: 1 of 3 with 2 of 3 boxes, but 1 of 4 with 3 of 4.
+     */
+    private static final int LEAST_BOXES = 4;
+
+    private static final int LEAST_DECOYS = 1;
+
+    /** The largest seed; all from 0 to here have levels of their own. */
+    public static final long LAST_SEED = 999_999_999_999L;
+
+    private final LevelLoader loader = new LevelLoader();
+
+    /**
+     * Makes a level, which takes seconds. Uses the calling thread alone.
+     *
+     * @param seed decides the level, 0 to {@link #LAST_SEED}
+     * @return the level; empty if none of the plans of this seed is a puzzle
+     * @throws IllegalArgumentException when the seed is not in this range
+     * @throws java.util.concurrent.CancellationException when the thread was interrupted
+     */
+    public Optional<Generated> level(long seed) {
+        if (seed < 0 || seed > LAST_SEED) {
+            throw new IllegalArgumentException(
+                    "the seed must be 0 to " + LAST_SEED + ", was " + seed);
+        }
+        Sieve sieve = new Sieve();
+        for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+            Plan plan = Architect.plan(new Chance(seed, attempt));
+            Optional<Draft> draft = hasChoice(plan) ? draft(seed, plan) : Optional.empty();
+            Optional<Figures> figures = draft.flatMap(made -> sieve.figures(made.level));
+            if (figures.isPresent()) {
+                Generated.Effort effort =
+                        new Generated.Effort(attempt + 1, sieve.games(), sieve.steps());
+                return Optional.of(
+                        new Generated(draft.get().text, draft.get().level, figures.get(), effort));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static boolean hasChoice(Plan plan) {
+        int decoys = plan.boxes() - plan.clicks().size();
+        return decoys >= LEAST_DECOYS && plan.boxes() >= LEAST_BOXES;
+    }
+
+    /** A plan as a file, and the level in it. */
+    private record Draft(String text, Level level) {}
+
+    /** A plan as a level with its solution; empty if its parts collide or it cannot be won. */
+    private Optional<Draft> draft(long seed, Plan plan) {
+        Sheet sheet = new Sheet(seed, plan);
+        return read(sheet.text())
+                .flatMap(level -> Rehearsal.solution(level, plan.clicks()))
+                .map(sheet::text)
+                .flatMap(text -> read(text).map(level -> new Draft(text, level)));
+    }
+
+    private Optional<Level> read(String text) {
+        return loader.parse("a plan", text).level();
+    }
+}

@@ -1,0 +1,14 @@
+package rigibo.frontend.puzzle.generate;
+
+/** How a level holds its ball until clicks release it to the right. */
+interface Start {
+
+    /**
+     * Builds it, the ball included.
+     *
+     * @param left its left edge, m
+     * @param y height at which the ball comes out, m
+     * @return where the ball comes out
+     */
+    Spot build(Plan plan, Chance chance, double left, double y);
+}

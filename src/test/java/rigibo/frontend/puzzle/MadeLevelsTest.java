@@ -1,0 +1,161 @@
+package rigibo.frontend.puzzle;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Playback;
+import rigibo.frontend.puzzle.rules.Replay;
+import rigibo.frontend.scene.DayResult;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.Scene;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.ZoneId;
+import java.util.List;
+
+/** Levels of days and endless ones, from the list to the result. */
+class MadeLevelsTest {
+
+    private static final LocalDate DATE = LocalDate.of(2026, 11, 27);
+
+    /** A seed that has no level, since there is none. */
+    private static final List<Long> NO_SEEDS = List.of();
+
+    private static final Endless FIRST = new Endless(1);
+
+    /** The first endless level, made once for all tests here. */
+    private static Making done;
+
+    private final RecordingDirector director = new RecordingDirector();
+
+    @BeforeAll
+    static void make() throws InterruptedException {
+        done = Making.begin(FIRST.seeds());
+        done.await();
+    }
+
+    private Scene last() {
+        return director.shown.get(director.shown.size() - 1);
+    }
+
+    private static void click(Scene scene, String words) {
+        double[] at = RecordingCanvas.of(scene).middleOf(words);
+        scene.pointerMoved(at[0], at[1]);
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+    }
+
+    /** Plays the stored solution and reports it as the scene of the level does. */
+    private void solve(Occasion occasion) {
+        Level level = done.made().orElseThrow().level();
+        Replay solution = Replay.of(level, level.solutions().get(0), Accuracy.GAME);
+        Playback playback = new Playback(level, solution);
+        while (playback.game().outcome() == Outcome.RUNNING) {
+            playback.step();
+        }
+        assertThat(playback.game().outcome()).isEqualTo(Outcome.WON);
+        new Tally(director, level, occasion.ledger(director, level)).ended(playback.game());
+    }
+
+    @Test
+    void dayIsThatOfUniversalTimeWhereverTheClockStands() {
+        Instant late = Instant.parse("2026-11-27T23:30:00Z");
+        for (String zone : List.of("UTC", "Pacific/Auckland", "America/Los_Angeles")) {
+            assertThat(Day.of(Clock.fixed(late, ZoneId.of(zone)))).isEqualTo(new Day(DATE));
+        }
+    }
+
+    @Test
+    void seedsOfADayAreItsDateAndNoneIsThatOfAnotherDay() {
+        assertThat(new Day(DATE).seeds()).startsWith(20261127L).doesNotHaveDuplicates();
+        assertThat(new Day(DATE).seeds())
+                .doesNotContainAnyElementsOf(new Day(DATE.plusDays(1)).seeds());
+    }
+
+    @Test
+    void bestGameOfADayIsKept() {
+        Day day = new Day(DATE);
+        solve(day);
+        DayResult result = director.progress().days().get(DATE);
+        assertThat(result.clicks()).isEqualTo(done.made().orElseThrow().level().limits().par());
+        assertThat(director.progress().levels()).isEmpty();
+        List<String> shown = day.results(director).get(0);
+        assertThat(shown).startsWith("2026-11-27");
+    }
+
+    @Test
+    void solvedEndlessLevelLeadsToTheNext() {
+        solve(FIRST);
+        assertThat(director.progress().endless()).isEqualTo(2);
+        assertThat(director.progress().levels()).isEmpty();
+    }
+
+    @Test
+    void levelThatIsDoneIsShownAndPlayed() {
+        MadeLevelScene scene = new MadeLevelScene(director, FIRST, done);
+        scene.step();
+        click(scene, "Play");
+        assertThat(last()).isInstanceOf(PuzzleScene.class);
+        assertThat(last().title()).isEqualTo("RigiBo – No. 1");
+        last().closed();
+    }
+
+    @Test
+    void anotherEndlessLevelCanBeChosenUnsolved() {
+        MadeLevelScene scene = new MadeLevelScene(director, FIRST, done);
+        click(scene, "Another one");
+        assertThat(director.progress().endless()).isEqualTo(2);
+        assertThat(last()).isInstanceOf(MadeLevelScene.class);
+        last().closed();
+    }
+
+    @Test
+    void stoppedMakingMakesNothing() throws InterruptedException {
+        Making making = Making.begin(FIRST.seeds());
+        making.stop();
+        making.await();
+        assertThat(making.made()).isEmpty();
+        assertThat(making.isHopeless()).isFalse();
+    }
+
+    @Test
+    void seedsWithoutALevelAreToldOf() throws InterruptedException {
+        Making making = Making.begin(NO_SEEDS);
+        making.await();
+        MadeLevelScene scene = new MadeLevelScene(director, FIRST, making);
+        assertThat(RecordingCanvas.of(scene).texts()).contains("No level could be made");
+        scene.keyPressed(Key.ENTER);
+        assertThat(director.asked).containsExactly("levels");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void everythingCanBeRead(String language) {
+        RecordingDirector told = new RecordingDirector(language);
+        for (int day = 0; day < 20; day++) {
+            DayResult result = new DayResult(2 + day % 4, 1000 + day);
+            told.progress(told.progress().solvedDay(DATE.minusDays(day), result));
+        }
+        MadeLevelScene ready = new MadeLevelScene(told, new Day(DATE), done);
+        ready.step();
+        assertThat(Legibility.faults(ready)).isEmpty();
+        MadeLevelScene endless = new MadeLevelScene(told, FIRST, done);
+        endless.step();
+        assertThat(Legibility.faults(endless)).isEmpty();
+        MadeLevelScene waiting = new MadeLevelScene(told, FIRST);
+        assertThat(Legibility.faults(waiting)).isEmpty();
+        waiting.closed();
+    }
+}

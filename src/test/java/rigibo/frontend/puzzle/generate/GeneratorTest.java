@@ -1,0 +1,106 @@
+package rigibo.frontend.puzzle.generate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.frontend.document.Problem;
+import rigibo.frontend.puzzle.check.Figures;
+import rigibo.frontend.puzzle.check.LevelProof;
+import rigibo.frontend.puzzle.level.Clickable;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Verb;
+
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.stream.LongStream;
+
+/** Levels of a few seeds, made once for all tests here. */
+class GeneratorTest {
+
+    private static final long FIRST = 21;
+    private static final int COUNT = 3;
+
+    private static List<Generated> levels;
+
+    @BeforeAll
+    static void make() {
+        Generator generator = new Generator();
+        levels =
+                LongStream.range(FIRST, FIRST + COUNT)
+                        .mapToObj(seed -> generator.level(seed).orElseThrow())
+                        .toList();
+    }
+
+    @Test
+    void sameSeedGivesTheSameFile() {
+        Generated again = new Generator().level(FIRST).orElseThrow();
+        assertThat(again.text()).isEqualTo(levels.get(0).text());
+        assertThat(again.figures()).isEqualTo(levels.get(0).figures());
+        assertThat(again.effort()).isEqualTo(levels.get(0).effort());
+    }
+
+    @Test
+    void otherSeedsGiveOtherLevels() {
+        assertThat(levels.stream().map(each -> each.level().hash())).doesNotHaveDuplicates();
+    }
+
+    /** Reads the file again and plays it as the command does, which sieved nothing itself. */
+    @Test
+    void everyLevelPassesTheCheckOfLevels() {
+        for (Generated each : levels) {
+            List<Problem> problems = LevelProof.problems(each.level().id(), each.text());
+            assertThat(problems).as(each.text()).isEmpty();
+        }
+    }
+
+    @Test
+    void everyLevelIsAPuzzleByItsFigures() {
+        for (Generated each : levels) {
+            Figures figures = each.figures();
+            assertThat(figures.par()).as(each.text()).isBetween(2, 5);
+            assertThat(figures.share()).as(each.text()).isBetween(0.0, 0.3);
+            assertThat(figures.falseLeads().size() + figures.traps().size())
+                    .as(each.text())
+                    .isPositive();
+        }
+    }
+
+    @Test
+    void figuresAreThoseOfTheLevel() {
+        for (Generated each : levels) {
+            Level level = each.level();
+            assertThat(each.figures().par()).isEqualTo(level.limits().par());
+            assertThat(level.solutions().get(0).clicks()).hasSize(level.limits().par());
+            assertThat(level.clickables())
+                    .hasSize(each.figures().clickables())
+                    .allMatch(one -> one.verb() == Verb.DELETE);
+            assertThat(level.clickables().stream().map(Clickable::id))
+                    .containsAll(each.figures().falseLeads())
+                    .containsAll(each.figures().traps());
+        }
+    }
+
+    @Test
+    void interruptedThreadStopsTheSearch() {
+        Thread.currentThread().interrupt();
+        try {
+            assertThatThrownBy(() -> new Generator().level(FIRST))
+                    .isInstanceOf(CancellationException.class);
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {-1, Generator.LAST_SEED + 1, Long.MIN_VALUE})
+    void seedOutOfRangeIsRefused(long seed) {
+        assertThatThrownBy(() -> new Generator().level(seed))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("the seed must be 0 to 999999999999, was " + seed);
+    }
+}
