@@ -118,8 +118,8 @@ final class BenchCommand implements Callable<Integer> {
             split = ",",
             description =
                     "Numbers of workers, such as 1,2: the moving scenes, or those of --scenes, by"
-                        + " ours alone at GAME, each step by every number in turn, by the wall"
-                        + " clock. It needs as many cores that do nothing else.")
+                            + " ours alone at GAME, each step by every number in turn, by the wall"
+                            + " clock. It needs as many cores that do nothing else.")
     private List<Integer> workers = List.of();
 
     @Option(
