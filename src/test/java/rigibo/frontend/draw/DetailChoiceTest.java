@@ -13,10 +13,11 @@ class DetailChoiceTest {
 
     private final DetailChoice choice = new DetailChoice();
 
+    /** The detail after a window was tried out, whose first pictures take long anyway. */
     private Detail after(String renderer, long nanos) {
         choice.renderer(renderer);
-        for (int frame = 0; frame < 300; frame++) {
-            choice.drawn(nanos);
+        for (int i = 0; choice.isOpen(Settings.Detail.AUTOMATIC); i++) {
+            choice.tried(i < 2 ? 10 * LATE : nanos);
         }
         return choice.detail(Settings.Detail.AUTOMATIC);
     }
@@ -50,11 +51,36 @@ class DetailChoiceTest {
     }
 
     @Test
-    void aFewLateFramesAreNoReason() {
+    void oneLatePictureOfThreeIsNoReason() {
         choice.renderer("llvmpipe");
-        for (int frame = 0; frame < 300; frame++) {
-            choice.drawn(frame % 3 == 0 ? LATE : QUICK);
+        for (int i = 0; choice.isOpen(Settings.Detail.AUTOMATIC); i++) {
+            choice.tried(i == 3 ? LATE : QUICK);
         }
         assertThat(choice.detail(Settings.Detail.AUTOMATIC)).isEqualTo(Detail.FULL);
+    }
+
+    /** A window that takes long to start is worse than one that draws less. */
+    @Test
+    void triesFivePicturesForEachWindowAtMost() {
+        for (int window = 0; window < 3; window++) {
+            choice.renderer("llvmpipe");
+            int pictures = 0;
+            for (; choice.isOpen(Settings.Detail.AUTOMATIC); pictures++) {
+                choice.tried(QUICK);
+            }
+            assertThat(pictures).isEqualTo(5);
+        }
+    }
+
+    @Test
+    void triesNothingWhereThereIsNothingToChoose() {
+        choice.renderer("llvmpipe");
+        assertThat(choice.isOpen(Settings.Detail.FULL)).isFalse();
+        assertThat(choice.isOpen(Settings.Detail.LITE)).isFalse();
+        after("llvmpipe", LATE);
+        choice.renderer("llvmpipe");
+        assertThat(choice.isOpen(Settings.Detail.AUTOMATIC)).isFalse();
+        choice.renderer("Mesa Intel(R) UHD Graphics 620");
+        assertThat(choice.isOpen(Settings.Detail.AUTOMATIC)).isFalse();
     }
 }
