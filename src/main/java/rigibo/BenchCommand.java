@@ -8,6 +8,8 @@ import picocli.CommandLine.Spec;
 import rigibo.backend.Pool;
 import rigibo.lab.bench.BenchStudy;
 import rigibo.lab.bench.Inquiry;
+import rigibo.lab.bench.large.LargeBench;
+import rigibo.lab.bench.large.LargeReport;
 import rigibo.lab.bench.moving.Contestant;
 import rigibo.lab.bench.moving.MovingBench;
 import rigibo.lab.bench.moving.MovingReport;
@@ -113,6 +115,13 @@ final class BenchCommand implements Callable<Integer> {
     private boolean areQueries;
 
     @Option(
+            names = "--large",
+            description =
+                    "What a body costs in worlds of 10,000 and of 100,000 bodies, ours alone, in"
+                            + " place of scenes.")
+    private boolean areLarge;
+
+    @Option(
             names = "--workers",
             paramLabel = "N",
             split = ",",
@@ -187,10 +196,21 @@ final class BenchCommand implements Callable<Integer> {
         if (areQueries) {
             return ask();
         }
+        if (areLarge) {
+            return measureLarge();
+        }
         if (!workers.isEmpty()) {
             return share();
         }
         return moving.isEmpty() ? study() : move();
+    }
+
+    private List<String> measureLarge() throws IOException {
+        LargeReport report = new LargeBench(LargeBench.SIZES).run(this::tell);
+        if (page != null) {
+            MeasuredPart.write(page, report.markdown(environment().provenance()));
+        }
+        return report.text();
     }
 
     private List<String> share() throws IOException {
@@ -313,7 +333,8 @@ final class BenchCommand implements Callable<Integer> {
                 + (isSweep ? " --sweep" : "")
                 + (engines.isEmpty() ? "" : " --engines " + String.join(",", engines))
                 + (areQueries ? " --queries --runs " + runs : "")
-                + (areQueries ? "" : timed())
+                + (areLarge ? " --large" : "")
+                + (areQueries || areLarge ? "" : timed())
                 + (steps == null ? "" : " --steps " + steps);
     }
 

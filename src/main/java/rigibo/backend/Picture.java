@@ -24,7 +24,7 @@ import java.util.function.Consumer;
  * IllegalArgumentException} if the picture does not show it, see {@link #shows}.
  *
  * <pre>{@code
- * try (Picture picture = view.read()) {
+ * try (Picture picture = pool.shared().read()) {
  *     for (RigidBody body : picture.bodies()) {
  *         System.out.println(picture.time() + " s: " + picture.x(body) + " " + picture.y(body));
  *     }

@@ -1,0 +1,132 @@
+package rigibo.lab.bench.large;
+
+import com.sun.management.ThreadMXBean;
+
+import rigibo.backend.RigidBody;
+import rigibo.lab.bench.probe.StepTimes;
+
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+
+/**
+ * Measures what a body costs in worlds of very many, in this process.
+ *
+ * @param sizes movable bodies of each world
+ */
+public record LargeBench(List<Integer> sizes) {
+
+    /** A tenth of the other, so that a cost that grows faster than the world shows. */
+    public static final List<Integer> SIZES = List.of(10_000, 100_000);
+
+    private static final double DT = 1.0 / 60;
+
+    /** Steps until heaps have fallen asleep, and steps timed after them. */
+    private static final int SETTLING = 120;
+
+    private static final int TIMED = 60;
+
+    /** Steps of a sleeping world that are timed together. */
+    private static final int ASLEEP = 2_000;
+
+    /** Questions, and bodies removed. */
+    private static final int ASKED = 1_000;
+
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    /**
+     * Measures them all, the smallest once before, for the compiler.
+     *
+     * @param tell is told how far it is
+     */
+    public LargeReport run(Consumer<String> tell) {
+        tell.accept("a world for the compiler");
+        costs(sizes.stream().min(Integer::compare).orElseThrow());
+        return new LargeReport(
+                sizes.stream()
+                        .peek(size -> tell.accept("a world of " + size + " bodies"))
+                        .map(LargeBench::costs)
+                        .toList());
+    }
+
+    private static LargeCosts costs(int size) {
+        double asleep = asleep(size);
+        long memory = memory();
+        long begun = now();
+        LargeWorld world = LargeWorld.of(size);
+        double add = (now() - begun) / (double) size;
+        double first = step(world);
+        IntStream.range(0, SETTLING).forEach(i -> step(world));
+        StepTimes times =
+                new StepTimes(IntStream.range(0, TIMED).mapToDouble(i -> step(world)).toArray());
+        double bytes = (memory() - memory) / (double) size;
+        double ask = ask(world);
+        begun = now();
+        int length = world.pool.snapshot().length;
+        double snapshot = length > 0 ? now() - begun : 0;
+        double remove = remove(world);
+        return new LargeCosts(
+                size,
+                add,
+                first,
+                times.median(),
+                times.max(),
+                ask,
+                snapshot,
+                remove,
+                asleep,
+                bytes);
+    }
+
+    /** Processor time of a step, ns. */
+    private static double step(LargeWorld world) {
+        long begun = now();
+        world.pool.step(DT);
+        return now() - begun;
+    }
+
+    private static double asleep(int size) {
+        LargeWorld world = LargeWorld.ofHeaps(size);
+        for (int i = 0; i < SETTLING || world.bodies.get(0).isAwake(); i++) {
+            world.pool.step(DT);
+        }
+        long begun = now();
+        for (int i = 0; i < ASLEEP; i++) {
+            world.pool.step(DT);
+        }
+        return (now() - begun) / (double) ASLEEP;
+    }
+
+    private static double ask(LargeWorld world) {
+        long begun = now();
+        int found = 0;
+        for (int i = 0; i < ASKED; i++) {
+            RigidBody body = world.bodies.get(i * (world.bodies.size() / ASKED));
+            found += world.pool.bodyAt(body.x(), body.y()).isPresent() ? 1 : 0;
+        }
+        double each = (now() - begun) / (double) ASKED;
+        if (found < ASKED) {
+            throw new IllegalStateException("no body where there is one");
+        }
+        return each;
+    }
+
+    private static double remove(LargeWorld world) {
+        long begun = now();
+        for (int i = 0; i < ASKED; i++) {
+            world.pool.remove(world.bodies.get(i * (world.bodies.size() / ASKED)));
+        }
+        return (now() - begun) / (double) ASKED;
+    }
+
+    private static long now() {
+        return THREADS.getCurrentThreadCpuTime();
+    }
+
+    /** Bytes that are in use once all garbage is gone. */
+    private static long memory() {
+        System.gc();
+        return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
+    }
+}

@@ -1,0 +1,27 @@
+package rigibo.lab.bench.large;
+
+/**
+ * What a world of very many bodies costs, processor times in ns.
+ *
+ * @param bodies movable bodies of it
+ * @param add a body added
+ * @param first the first step
+ * @param step a later step, the median
+ * @param most the slowest of them
+ * @param ask a question which body is at a point
+ * @param snapshot a snapshot
+ * @param remove a body removed
+ * @param asleep a step of as many bodies in heaps, all of them asleep
+ * @param bytes of memory for each body, with its contacts
+ */
+record LargeCosts(
+        int bodies,
+        double add,
+        double first,
+        double step,
+        double most,
+        double ask,
+        double snapshot,
+        double remove,
+        double asleep,
+        double bytes) {}

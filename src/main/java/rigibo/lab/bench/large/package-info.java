@@ -1,0 +1,2 @@
+/** What a body costs in worlds of very many. */
+package rigibo.lab.bench.large;
