@@ -255,6 +255,10 @@ class DisplayTest {
 
                     @Override
                     public void beforeTurn(Display of, Scene shown) {
+                        if (turns == 0) {
+                            // Without a graphics card, pictures were drawn that nobody saw.
+                            told.clear();
+                        }
                         of.input().key(GLFW.GLFW_KEY_A, GLFW.GLFW_PRESS);
                         of.input().key(GLFW.GLFW_KEY_B, GLFW.GLFW_PRESS);
                         if (++turns == 3) {

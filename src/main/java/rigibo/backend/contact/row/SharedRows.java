@@ -15,9 +15,6 @@ public final class SharedRows {
     /** Fewest contacts in a piece of a pass; asking whether one is due takes some 5 ns. */
     private static final int GRAIN = 64;
 
-    /** Pieces for each worker: who is done with its own takes another's. */
-    private static final int PIECES = 1;
-
     /** Null for one worker. */
     private final Team team;
 
@@ -73,8 +70,9 @@ public final class SharedRows {
         }
     }
 
+    /** One piece for each worker: smaller ones would wander from cache to cache. */
     private int grain(int count) {
-        return Math.max(GRAIN / 2, count / (PIECES * team.size()) + 1);
+        return Math.max(GRAIN, count / team.size() + 1);
     }
 
     private void shift(int from, int to, int worker) {
