@@ -9,7 +9,6 @@ import rigibo.backend.Pool;
 import rigibo.lab.bench.BenchStudy;
 import rigibo.lab.bench.Inquiry;
 import rigibo.lab.bench.large.LargeBench;
-import rigibo.lab.bench.large.LargeReport;
 import rigibo.lab.bench.moving.Contestant;
 import rigibo.lab.bench.moving.MovingBench;
 import rigibo.lab.bench.moving.MovingReport;
@@ -19,11 +18,11 @@ import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
 import rigibo.lab.bench.scene.MovingScenes;
 import rigibo.lab.bench.workers.WorkersBench;
-import rigibo.lab.bench.workers.WorkersReport;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.precision.Environment;
 import rigibo.lab.report.MeasuredPart;
+import rigibo.lab.report.MeasuredTable;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -197,7 +196,7 @@ final class BenchCommand implements Callable<Integer> {
             return ask();
         }
         if (areLarge) {
-            return measureLarge();
+            return told(new LargeBench(LargeBench.SIZES).run(this::tell));
         }
         if (!workers.isEmpty()) {
             return share();
@@ -205,12 +204,12 @@ final class BenchCommand implements Callable<Integer> {
         return moving.isEmpty() ? study() : move();
     }
 
-    private List<String> measureLarge() throws IOException {
-        LargeReport report = new LargeBench(LargeBench.SIZES).run(this::tell);
+    /** Writes the page if one is wanted; returns what to print. */
+    private List<String> told(MeasuredTable found) throws IOException {
         if (page != null) {
-            MeasuredPart.write(page, report.markdown(environment().provenance()));
+            MeasuredPart.write(page, found.markdown(environment().provenance()));
         }
-        return report.text();
+        return found.text();
     }
 
     private List<String> share() throws IOException {
@@ -221,12 +220,7 @@ final class BenchCommand implements Callable<Integer> {
         if (!scenes.isEmpty()) {
             shared.addAll(chosenScenes());
         }
-        WorkersBench bench = new WorkersBench(shared, workers, movingSteps(), runs);
-        WorkersReport report = bench.run(this::tell);
-        if (page != null) {
-            MeasuredPart.write(page, report.markdown(environment().provenance()));
-        }
-        return report.text();
+        return told(new WorkersBench(shared, workers, movingSteps(), runs).run(this::tell));
     }
 
     private List<String> ask() throws IOException {

@@ -4,6 +4,7 @@ import com.sun.management.ThreadMXBean;
 
 import rigibo.backend.RigidBody;
 import rigibo.lab.bench.probe.StepTimes;
+import rigibo.lab.report.MeasuredTable;
 
 import java.lang.management.ManagementFactory;
 import java.util.List;
@@ -40,10 +41,10 @@ public record LargeBench(List<Integer> sizes) {
      *
      * @param tell is told how far it is
      */
-    public LargeReport run(Consumer<String> tell) {
+    public MeasuredTable run(Consumer<String> tell) {
         tell.accept("a world for the compiler");
         costs(sizes.stream().min(Integer::compare).orElseThrow());
-        return new LargeReport(
+        return LargeReport.of(
                 sizes.stream()
                         .peek(size -> tell.accept("a world of " + size + " bodies"))
                         .map(LargeBench::costs)

@@ -1,43 +1,31 @@
 package rigibo.lab.bench.large;
 
 import rigibo.lab.report.Amount;
+import rigibo.lab.report.MeasuredTable;
 import rigibo.lab.report.Table;
 
 import java.util.List;
 
-/** What bodies cost in worlds of very many, for a terminal and for a page. */
-public final class LargeReport {
+/** Tells what bodies cost in worlds of very many. */
+final class LargeReport {
 
-    private final List<LargeCosts> worlds;
+    private LargeReport() {}
 
-    LargeReport(List<LargeCosts> worlds) {
-        this.worlds = worlds;
-    }
-
-    /** For a terminal. */
-    public List<String> text() {
-        return table().text();
-    }
-
-    /** The measured part of a page of Markdown. */
-    public String markdown(String provenance) {
-        return provenance + "\n\n" + table().markdown();
-    }
-
-    private Table table() {
-        return new Table(
-                List.of(
-                        "bodies",
-                        "added",
-                        "first step, a body",
-                        "step, a body",
-                        "slowest step",
-                        "body at a point",
-                        "snapshot, a body",
-                        "removed",
-                        "step asleep",
-                        "memory, a body"),
-                worlds.stream().map(LargeReport::row).toList());
+    static MeasuredTable of(List<LargeCosts> worlds) {
+        return new MeasuredTable(
+                new Table(
+                        List.of(
+                                "bodies",
+                                "added",
+                                "first step, a body",
+                                "step, a body",
+                                "slowest step",
+                                "body at a point",
+                                "snapshot, a body",
+                                "removed",
+                                "step asleep",
+                                "memory, a body"),
+                        worlds.stream().map(LargeReport::row).toList()));
     }
 
     private static List<String> row(LargeCosts world) {

@@ -8,6 +8,7 @@ import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.World;
+import rigibo.lab.report.MeasuredTable;
 
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
@@ -48,7 +49,7 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
      *
      * @param tell is told how far it is
      */
-    public WorkersReport run(Consumer<String> tell) {
+    public MeasuredTable run(Consumer<String> tell) {
         List<WorkersCourse> courses = new ArrayList<>();
         for (BenchScene scene : scenes) {
             List<WorkersCourse> found =
@@ -61,7 +62,7 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
             }
             courses.addAll(found);
         }
-        return new WorkersReport(courses, workers.get(0));
+        return new WorkersReport(courses, workers.get(0)).table();
     }
 
     /** The pools take turns at being first, since the first finds the cache colder. */

@@ -2,13 +2,14 @@ package rigibo.lab.bench.workers;
 
 import rigibo.lab.bench.probe.StepTimes;
 import rigibo.lab.report.Amount;
+import rigibo.lab.report.MeasuredTable;
 import rigibo.lab.report.Table;
 
 import java.util.List;
 import java.util.Locale;
 
-/** What workers bring, for a terminal and for a page. */
-public final class WorkersReport {
+/** Tells what workers bring. */
+final class WorkersReport {
 
     private final List<WorkersCourse> courses;
     private final int comparedWith;
@@ -18,28 +19,19 @@ public final class WorkersReport {
         this.comparedWith = comparedWith;
     }
 
-    /** For a terminal. */
-    public List<String> text() {
-        return table().text();
-    }
-
-    /** The measured part of a page of Markdown. */
-    public String markdown(String provenance) {
-        return provenance + "\n\n" + table().markdown();
-    }
-
-    private Table table() {
-        return new Table(
-                List.of(
-                        "scene",
-                        "workers",
-                        "mean",
-                        "p99",
-                        "most",
-                        "times as fast",
-                        "processor time",
-                        "steps that share"),
-                courses.stream().map(this::row).toList());
+    MeasuredTable table() {
+        return new MeasuredTable(
+                new Table(
+                        List.of(
+                                "scene",
+                                "workers",
+                                "mean",
+                                "p99",
+                                "most",
+                                "times as fast",
+                                "processor time",
+                                "steps that share"),
+                        courses.stream().map(this::row).toList()));
     }
 
     private List<String> row(WorkersCourse course) {

@@ -52,7 +52,7 @@ class LargeBenchTest {
     @Test
     void costsAreToldByTheBody() {
         LargeCosts costs = new LargeCosts(1_000, 2e3, 5e6, 3e5, 4e5, 1e3, 7e6, 6e3, 90, 1_234.4);
-        assertThat(new LargeReport(List.of(costs)).markdown("By hand."))
+        assertThat(LargeReport.of(List.of(costs)).markdown("By hand."))
                 .contains("By hand.")
                 .contains("| 1000 | 2.00 µs | 5.00 µs | 300 ns | 400 µs | 1.00 µs | 7.00 µs |")
                 .contains("| 6.00 µs | 90.0 ns | 1234 B |");
