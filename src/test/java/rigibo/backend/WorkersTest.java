@@ -101,15 +101,7 @@ class WorkersTest {
         try (Pool one = crowd(1);
                 Pool several = crowd(workers)) {
             for (int step = 0; step < 240; step++) {
-                StepReport expected = one.step(DT);
-                StepReport found = several.step(DT);
-                assertThat(several.stateHash()).as("step %d", step).isEqualTo(one.stateHash());
-                assertThat(words(several)).as("step %d", step).isEqualTo(words(one));
-                assertThat(found.contactSolves()).isEqualTo(expected.contactSolves());
-                assertThat(found.multiplications()).isEqualTo(expected.multiplications());
-                assertThat(found.rows()).isEqualTo(expected.rows());
-                assertThat(found.impacts()).isEqualTo(expected.impacts());
-                assertThat(expected.sharedIslands()).isZero();
+                StepReport found = stepAlike(one, several, step);
                 shared += found.sharedIslands() > 0 ? 1 : 0;
                 hits += one.hits().size();
                 breaks += one.brokenJoints().size();
@@ -118,6 +110,21 @@ class WorkersTest {
         assertThat(shared).as("steps with shared islands").isGreaterThan(150);
         assertThat(hits).isGreaterThan(100);
         assertThat(breaks).isGreaterThan(4);
+    }
+
+    /** Makes a step of both, with the same results by the same work; returns what several told. */
+    private static StepReport stepAlike(Pool one, Pool several, int step) {
+        StepReport expected = one.step(DT);
+        StepReport found = several.step(DT);
+        assertThat(several.stateHash()).as("step %d", step).isEqualTo(one.stateHash());
+        assertThat(words(several)).as("step %d", step).isEqualTo(words(one));
+        assertThat(found.contactSolves()).isEqualTo(expected.contactSolves());
+        assertThat(found.multiplications()).isEqualTo(expected.multiplications());
+        assertThat(found.rows()).isEqualTo(expected.rows());
+        assertThat(found.impacts()).isEqualTo(expected.impacts());
+        assertThat(expected.sharedIslands()).isZero();
+        assertThat(expected.splits()).isZero();
+        return found;
     }
 
     /** Hits and breaks in their order, by the numbers of bodies. */
@@ -164,12 +171,7 @@ class WorkersTest {
         try (Pool one = heap(1);
                 Pool several = heap(workers)) {
             for (int step = 0; step < 150; step++) {
-                StepReport expected = one.step(DT);
-                StepReport found = several.step(DT);
-                assertThat(several.stateHash()).as("step %d", step).isEqualTo(one.stateHash());
-                assertThat(words(several)).as("step %d", step).isEqualTo(words(one));
-                assertThat(found.contactSolves()).isEqualTo(expected.contactSolves());
-                assertThat(expected.splits()).isZero();
+                StepReport found = stepAlike(one, several, step);
                 splits += found.splits() > 50 ? 1 : 0;
                 most = Math.max(most, found.contacts());
             }

@@ -37,8 +37,6 @@ final class FixtureTree {
     /** Boxes, four doubles per node: min x, min y, max x, max y. */
     private double[] box = new double[4 * FIRST_CAPACITY];
 
-    private int[] stack = new int[64];
-
     /** Branches to look at for a place, and what it adds to all branches above them, m. */
     private int[] places = new int[64];
 
@@ -66,20 +64,13 @@ final class FixtureTree {
      * branch that holds its new box.
      */
     void move(int leaf, double minX, double minY, double maxX, double maxY) {
+        setBox(leaf, minX, minY, maxX, maxY);
         int above = parent[leaf];
         int top = above == NONE ? NONE : parent[above];
-        boolean stays =
-                top != NONE
-                        && minX >= box[4 * top]
-                        && minY >= box[4 * top + 1]
-                        && maxX <= box[4 * top + 2]
-                        && maxY <= box[4 * top + 3];
-        if (stays) {
-            setBox(leaf, minX, minY, maxX, maxY);
+        if (top != NONE && holds(top, leaf)) {
             growUp(above);
         } else {
             detach(leaf);
-            setBox(leaf, minX, minY, maxX, maxY);
             attach(leaf, holderOf(leaf, top));
         }
     }
@@ -87,16 +78,8 @@ final class FixtureTree {
     /** Enlarges the box of a leaf, which keeps its place. */
     void grow(int leaf, double minX, double minY, double maxX, double maxY) {
         setBox(leaf, minX, minY, maxX, maxY);
-        for (int node = parent[leaf]; node != NONE; node = parent[node]) {
+        for (int node = parent[leaf]; node != NONE && !holds(node, leaf); node = parent[node]) {
             int at = 4 * node;
-            boolean holds =
-                    box[at] <= minX
-                            && box[at + 1] <= minY
-                            && box[at + 2] >= maxX
-                            && box[at + 3] >= maxY;
-            if (holds) {
-                return;
-            }
             setBox(
                     node,
                     Math.min(box[at], minX),
@@ -146,33 +129,6 @@ final class FixtureTree {
     /** Min x, min y, max x and max y of all nodes, m; read only. */
     double[] boxes() {
         return box;
-    }
-
-    /**
-     * Sum of half the perimeters of all branches, m, to which the cost of a query is proportional.
-     */
-    double branchPerimeter() {
-        double sum = 0;
-        int depth = push(0, root);
-        while (depth > 0) {
-            int node = stack[--depth];
-            if (child[2 * node] != NONE) {
-                sum += perimeter(node);
-                depth = push(push(depth, child[2 * node + 1]), child[2 * node]);
-            }
-        }
-        return sum;
-    }
-
-    private int push(int depth, int node) {
-        if (node == NONE) {
-            return depth;
-        }
-        if (depth == stack.length) {
-            stack = Arrays.copyOf(stack, 2 * depth);
-        }
-        stack[depth] = node;
-        return depth + 1;
     }
 
     private int take() {

@@ -40,7 +40,7 @@ public final class ContactStage {
 
     /** Advances every island to the end of a step of {@code dt} seconds. */
     public void solve(double dt) {
-        if (shared != null && !narrowphase.isLending() && shared.isWorthwhile()) {
+        if (shared != null && !narrowphase.isLending() && shared.prepare()) {
             shared.solve(dt);
         } else {
             for (int island = 0; island < data.islands.count; island++) {

@@ -72,8 +72,11 @@ final class SharedIslands implements Team.Pieces {
         notes = new SharedNotes(data, workers);
     }
 
-    /** Whether there is enough to share besides the largest island. */
-    boolean isWorthwhile() {
+    /**
+     * Finds out whether all workers solve the largest island together; returns whether there is
+     * enough to share besides it.
+     */
+    boolean prepare() {
         int largest = 0;
         int all = 0;
         for (int island = 0; island < islands.count; island++) {

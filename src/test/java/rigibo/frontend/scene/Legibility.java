@@ -30,7 +30,7 @@ public final class Legibility {
         return faults;
     }
 
-    /** The same in a window of another shape or size. */
+    /** Everything that cannot be read in a window of the given shape and size. */
     public static List<String> faults(Scene scene, Layout layout) {
         List<Mark> marks = RecordingCanvas.of(scene, layout).marks();
         List<String> faults = new ArrayList<>();

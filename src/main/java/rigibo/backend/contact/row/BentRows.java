@@ -45,6 +45,9 @@ public final class BentRows {
     private boolean isFirst;
     private double left;
 
+    /** Whether the packed island is a crowd. */
+    private boolean isCrowd;
+
     public BentRows(
             PackedContacts contacts,
             FreshRows fresh,
@@ -84,6 +87,7 @@ public final class BentRows {
         this.substep = substep;
         this.isFirst = isFirst;
         this.left = left;
+        isCrowd = contacts.areCrowd();
         boolean isShared = shared.areWorthwhile() && fresh.isShareable();
         if (isShared) {
             shared.each(contacts.count, lookingPieces);
@@ -113,7 +117,6 @@ public final class BentRows {
 
     /** Finds which contacts turn, and which of them are measured again. */
     private void lookAt(int from, int to, int worker) {
-        boolean isCrowd = contacts.areCrowd();
         for (int row = from; row < to; row++) {
             turns[row] = turning != null && turning.isTurning(row, left);
             curves[row] = curved != null && curved.isCurved(row, left);
