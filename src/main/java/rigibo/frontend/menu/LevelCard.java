@@ -11,7 +11,7 @@ import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
 
 /**
- * A level in the list: its picture, number and title, and a medal or a lock.
+ * A level in the list: its picture, number and title, and a medal, perhaps a star, or a lock.
  *
  * @param levels the list
  * @param level which of them, from 0
@@ -57,6 +57,11 @@ record LevelCard(LevelList levels, int level, Words words) {
         drawNumber(canvas, tile);
         if (isOpen && levels.isSolved(level)) {
             drawPrize(canvas, tile);
+        }
+        if (isOpen && levels.hasStar(level)) {
+            double x = tile.x() + WIDTH - 54;
+            canvas.panel(x - 15, tile.y() + 6, 30, 24, 8, Color.PANEL);
+            Sign.star(canvas, x, tile.y() + 19, 11, Color.BRASS);
         }
     }
 

@@ -46,6 +46,11 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
         return challenge(level).medal(done(level));
     }
 
+    /** Whether the level's secret star was found; of a level that has none any more it is gone. */
+    boolean hasStar(int level) {
+        return challenge(level).star().isPresent() && done(level).hasStar();
+    }
+
     long solved() {
         return IntStream.range(0, levels.size()).filter(this::isSolved).count();
     }

@@ -8,7 +8,9 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Print;
+import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
 import rigibo.frontend.scene.widget.Tiles;
 
@@ -196,10 +198,46 @@ public final class LevelsScene implements Scene {
         double foot = WIDTH - 2 * EDGE - (canWatch() ? WATCH_WIDTH + GAP : 0);
         canvas.panel(EDGE, FOOT_TOP, foot, FOOT_HEIGHT, 12, Color.PANEL);
         double middle = FOOT_TOP + FOOT_HEIGHT / 2;
-        Print.centred(canvas, about(), EDGE + foot / 2, middle, 18, Color.TEXT);
+        drawAbout(canvas, EDGE + foot / 2, middle, foot - 2 * GAP);
         if (canWatch()) {
             watch.draw(canvas, false);
         }
+    }
+
+    /** Draws what is chosen about a point of the foot; of a level with a star a second line. */
+    private void drawAbout(Canvas canvas, double x, double y, double width) {
+        Optional<String> star = isMissed ? Optional.empty() : star();
+        double up = star.isPresent() ? 9 : 0;
+        Print.centred(canvas, about(), x, y - up, star.isPresent() ? 16 : 18, Color.TEXT);
+        if (star.isPresent()) {
+            String line = Lines.shortened(canvas, star.get(), 16, Canvas.Font.WORDS, width - 24);
+            double half = canvas.textWidth(line, 16, Canvas.Font.WORDS) / 2;
+            Print.centred(canvas, line, x + 10, y + 10, 16, Color.BRASS);
+            if (levels.hasStar(chosenLevel().orElseThrow())) {
+                Sign.star(canvas, x - half - 4, y + 10, 8, Color.BRASS);
+            } else {
+                Sign.outlinedStar(canvas, x - half - 4, y + 10, 7, 1.5, Color.BRASS);
+            }
+        }
+    }
+
+    /** What the player may know of the chosen level's star. */
+    private Optional<String> star() {
+        OptionalInt chosen = chosenLevel();
+        if (chosen.isEmpty() || !levels.isOpen(chosen.getAsInt())) {
+            return Optional.empty();
+        }
+        int level = chosen.getAsInt();
+        return levels.levels()
+                .get(level)
+                .challenge()
+                .orElseThrow()
+                .star()
+                .map(
+                        text ->
+                                levels.hasStar(level)
+                                        ? text.apply(words)
+                                        : words.of("puzzle.star.hidden"));
     }
 
     /** A level that was solved as it is now may have a run that was kept. */

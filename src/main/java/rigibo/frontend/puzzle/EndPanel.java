@@ -34,16 +34,25 @@ final class EndPanel {
 
     private static final double REASON = 84;
 
+    /** Height of the line that states a star. */
+    private static final double STATEMENT = 34;
+
     private final PuzzleGame game;
     private final List<Command> ways;
     private final Optional<MedalStamps> stamps;
+    private final Optional<StarStamp> star;
     private final double height;
     private double top;
     private ButtonRow buttons;
 
-    /** The panel at the end of a game. */
-    EndPanel(PuzzleGame game, boolean hasNext) {
+    /**
+     * The panel at the end of a game.
+     *
+     * @param star the level's, where it has one; shown only where the level is solved
+     */
+    EndPanel(PuzzleGame game, boolean hasNext, Optional<StarStamp> star) {
         this.game = game;
+        this.star = star.filter(one -> game.isSolved());
         int par = game.level().limits().par();
         stamps =
                 game.isSolved()
@@ -55,7 +64,8 @@ final class EndPanel {
 
     /** Distance from the panel's upper edge to its buttons, px. */
     private double buttonsBelow() {
-        return stamps.isPresent() ? MEDALS + 60 : REASON + 24;
+        double statement = star.isPresent() ? STATEMENT : 0;
+        return stamps.isPresent() ? MEDALS + 60 + statement : REASON + 24;
     }
 
     /**
@@ -101,6 +111,7 @@ final class EndPanel {
     /** Called after each frame. */
     void turn() {
         stamps.ifPresent(MedalStamps::turn);
+        star.ifPresent(StarStamp::turn);
     }
 
     void draw(Canvas canvas, Words words, Motion motion) {
@@ -110,11 +121,29 @@ final class EndPanel {
         canvas.frame(LEFT, top, WIDTH, height, 18, edge);
         drawHeadline(canvas, words.of(isWon ? "puzzle.won" : "puzzle.lost"), edge, isWon);
         if (stamps.isPresent()) {
-            stamps.get().draw(canvas, words, MIDDLE, top + MEDALS, motion);
+            drawPrizes(canvas, words, stamps.get(), motion);
         } else {
             text(canvas, words.of(reason()), top + REASON, 20, Color.TEXT);
         }
         buttons.draw(canvas, words);
+    }
+
+    /** Draws the medals, and the star as one more beside them. */
+    private void drawPrizes(Canvas canvas, Words words, MedalStamps medals, Motion motion) {
+        double aside = star.isPresent() ? MedalStamps.COLUMN / 2 : 0;
+        double y = top + MEDALS;
+        medals.draw(canvas, words, MIDDLE - aside, y, motion);
+        if (star.isPresent()) {
+            double x = MIDDLE - aside + 2 * MedalStamps.COLUMN;
+            star.get().draw(canvas, words, x, y, motion);
+            double line = y + MedalStamps.WORDS_BELOW + STATEMENT - 4;
+            text(
+                    canvas,
+                    star.get().statement(canvas, words, WIDTH - 2 * PADDING),
+                    line,
+                    17,
+                    Color.BRASS);
+        }
     }
 
     /** The reason for a loss, or for a win that does not count. */

@@ -4,6 +4,7 @@ import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.LevelProgress;
+import rigibo.frontend.scene.Progress;
 
 /** Keeps results in the player's progress, by the level's id. */
 final class LevelLedger implements Ledger {
@@ -25,7 +26,8 @@ final class LevelLedger implements Ledger {
 
     @Override
     public void solved(PuzzleGame game) {
-        director.progress(director.progress().solved(id, hash, game.clicks()));
+        Progress solved = director.progress().solved(id, hash, game.clicks());
+        director.progress(game.hasStar() ? solved.starred(id, hash) : solved);
     }
 
     @Override

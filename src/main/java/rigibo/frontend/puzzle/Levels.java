@@ -96,7 +96,8 @@ public final class Levels {
                                 level.hash(),
                                 level.limits().par(),
                                 new LevelPicture(level),
-                                director -> Replays.best(director, level))),
+                                director -> Replays.best(director, level),
+                                level.star().map(star -> words -> star.text().in(words.locale())))),
                 director -> new PuzzleScene(director, levels, number));
     }
 

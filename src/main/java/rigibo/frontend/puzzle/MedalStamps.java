@@ -14,16 +14,18 @@ import rigibo.frontend.scene.Words;
 final class MedalStamps {
 
     /** Time between two stamps. */
-    private static final int APART = Steps.of(0.25);
+    static final int APART = Steps.of(0.25);
 
     /** Time for which a stamp falls. */
     private static final int FALL = Steps.of(0.15);
 
-    private static final double RADIUS = 24;
-    private static final double COLUMN = 150;
+    static final double RADIUS = 24;
+
+    /** Distance between the middles of two, px. */
+    static final double COLUMN = 148;
 
     /** Distance from a medal's middle to that of its words, px. */
-    private static final double WORDS_BELOW = 46;
+    static final double WORDS_BELOW = 46;
 
     /** Factor by which a stamp is larger when it begins to fall. */
     private static final double HEIGHT = 1.5;
@@ -52,15 +54,23 @@ final class MedalStamps {
             boolean isStamped = medal.compareTo(earned) >= 0 && age >= 0;
             canvas.ring(column, y, RADIUS, 2, 1, Color.EDGE);
             if (isStamped) {
-                double above = Math.max(0, 1 - age / (double) FALL);
-                double scale = motion == Motion.FULL ? 1 + HEIGHT * above : 1;
-                draw(canvas, medal, column, y, RADIUS * scale);
+                draw(canvas, medal, column, y, RADIUS * scale(age, motion));
             }
             String what = words.of("puzzle.medal." + Command.key(medal), par, par + 1);
             Color ink = isStamped ? Color.TEXT : Color.TEXT_DIM;
             canvas.text(
                     what, column, y + WORDS_BELOW, 16, Canvas.Font.WORDS, Canvas.Align.CENTRE, ink);
         }
+    }
+
+    /**
+     * Factor by which a stamp is larger than where it lies.
+     *
+     * @param age turns since it began to fall
+     */
+    static double scale(int age, Motion motion) {
+        double above = Math.max(0, 1 - age / (double) FALL);
+        return motion == Motion.FULL ? 1 + HEIGHT * above : 1;
     }
 
     private static void draw(Canvas canvas, Medal medal, double x, double y, double radius) {

@@ -105,8 +105,12 @@ final class Panels {
     }
 
     /** Shows how a game ended, as long as that game is on the screen. */
-    void end(PuzzleGame game, boolean hasNext) {
-        end = Optional.of(new EndPanel(game, hasNext));
+    void end(PuzzleGame game, boolean hasNext, boolean hasStar) {
+        Optional<StarStamp> star =
+                game.level()
+                        .star()
+                        .map(one -> new StarStamp(one.text().in(words.locale()), game, hasStar));
+        end = Optional.of(new EndPanel(game, hasNext, star));
         end.ifPresent(this::place);
     }
 

@@ -97,7 +97,7 @@ public final class PuzzleScene implements Scene {
     private void ended(PuzzleGame game) {
         tally.ended(game);
         table.letGo();
-        panels.end(game, sequel.next().isPresent());
+        panels.end(game, sequel.next().isPresent(), tally.hasStar());
         if (game.isSolved()) {
             solution = Optional.of(game.replay().solution());
             table.celebrate(motion());

@@ -74,6 +74,11 @@ final class Tally {
         }
     }
 
+    /** Whether the player has found the level's star, in this try or before. */
+    boolean hasStar() {
+        return ledger.known().hasStar();
+    }
+
     /** Failures still missing before the hint is offered; 0 if it may be shown. */
     int failuresToHint() {
         return Math.max(0, PATIENCE - ledger.known().failures());

@@ -71,7 +71,8 @@ final class ProgressFormat implements Format<Progress> {
                 hash(json.required("hash")),
                 isSolved,
                 clicks(json.optional("fewestClicks"), isSolved),
-                json.required("failures").whole(0, MOST, 0));
+                json.required("failures").whole(0, MOST, 0),
+                star(json.optional("star"), isSolved));
     }
 
     private static long hash(Value json) {
@@ -87,6 +88,15 @@ final class ProgressFormat implements Format<Progress> {
             json.wrong("must be missing until the level is solved");
         }
         return isSolved ? OptionalInt.of(clicks) : OptionalInt.empty();
+    }
+
+    /** Files before there were stars do not have it. */
+    private static boolean star(Value json, boolean isSolved) {
+        boolean hasStar = json.truth(false);
+        if (hasStar && !isSolved) {
+            json.wrong("must be missing until the level is solved");
+        }
+        return hasStar && isSolved;
     }
 
     @Override
@@ -108,6 +118,9 @@ final class ProgressFormat implements Format<Progress> {
         json.put("solved", level.isSolved());
         level.fewestClicks().ifPresent(clicks -> json.put("fewestClicks", clicks));
         json.put("failures", level.failures());
+        if (level.hasStar()) {
+            json.put("star", true);
+        }
     }
 
     @Override

@@ -48,6 +48,11 @@ public record Progress(
         return with(id, of(id, hash).solved(clicks));
     }
 
+    /** After a try that earned the secret star of a level, which it has solved. */
+    public Progress starred(String id, long hash) {
+        return with(id, of(id, hash).starred());
+    }
+
     /** After a try at a level that was lost. */
     public Progress failed(String id, long hash) {
         return with(id, of(id, hash).failed());

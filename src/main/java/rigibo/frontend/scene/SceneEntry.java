@@ -26,9 +26,14 @@ public record SceneEntry(
      * @param par clicks of a gold medal
      * @param picture the level at its start
      * @param watch the player's best run that was kept, as it is watched; nothing where none was
+     * @param star what earns the secret star, for whoever has found it; nothing where there is none
      */
     public record Challenge(
-            long hash, int par, Picture picture, Function<Director, Optional<Scene>> watch) {
+            long hash,
+            int par,
+            Picture picture,
+            Function<Director, Optional<Scene>> watch,
+            Optional<Function<Words, String>> star) {
 
         /** The best medal by what a player has done in the level; none before it is solved so. */
         public Optional<Medal> medal(LevelProgress done) {

@@ -35,7 +35,8 @@ final class Entries {
                                 PAR,
                                 (canvas, x, y, width, height) ->
                                         canvas.frame(x, y, width, height, 0, Color.EDGE),
-                                director -> kept(number))),
+                                director -> kept(number),
+                                Optional.of(words -> "The ball goes round " + number))),
                 director -> new Named("level" + number));
     }
 

@@ -110,6 +110,7 @@ class MenuScenesTest {
                         .solved("level0", Entries.HASH, 1)
                         .solved("level1", Entries.HASH, 3)
                         .solved("level2", Entries.HASH, 9)
+                        .starred("level2", Entries.HASH)
                         .solved("level3", 0, 1));
         assertLegible(new MenuScene(told, Entries.all(15)));
         assertLegible(new LevelsScene(told, Entries.all(15), Entries.made()));

@@ -8,6 +8,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.frontend.document.Problems;
 import rigibo.frontend.document.ShareCode;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.StarLevels;
 import rigibo.frontend.puzzle.replay.LoadedReplay;
 import rigibo.frontend.puzzle.replay.Proof;
 import rigibo.frontend.puzzle.replay.ReplayLoader;
@@ -43,6 +45,21 @@ class EndOfATryTest {
     private String ranks() {
         return String.join(
                 "", played.texts().stream().filter(words -> words.matches("[123]")).toList());
+    }
+
+    @Test
+    void theStarIsAQuestionUntilItIsEarned() {
+        Level level = StarLevels.level("'type': 'clear'");
+        PlayedLevel starred = new PlayedLevel(level).solve();
+        assertThat(starred.texts())
+                .contains("?", "secret star", "A secret star is hidden here.")
+                .doesNotContain("Well done.");
+        assertThat(starred.director.progress().of(level.id(), level.hash()).hasStar()).isFalse();
+        starred.keys(Key.R).clickBox().turns(90).clickWall().turns(PlayedLevel.LONG_ENOUGH);
+        assertThat(starred.texts()).contains("Well done.").doesNotContain("?");
+        assertThat(starred.director.progress().of(level.id(), level.hash()).hasStar()).isTrue();
+        starred.keys(Key.R).solve();
+        assertThat(starred.texts()).as("found before").contains("Well done.");
     }
 
     @Test

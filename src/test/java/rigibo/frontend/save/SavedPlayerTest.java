@@ -27,6 +27,7 @@ class SavedPlayerTest {
     private static final Progress TWO =
             ONE.solved("seesaw", -1, 1)
                     .failed("tilt", 7)
+                    .starred("tilt", 7)
                     .solvedDay(LocalDate.of(2026, 11, 27), new DayResult(2, 900))
                     .endless(12);
 

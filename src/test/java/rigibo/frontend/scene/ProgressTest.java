@@ -18,7 +18,7 @@ class ProgressTest {
     @Test
     void beginsWithNothing() {
         assertThat(Progress.none().of("tilt", HASH))
-                .isEqualTo(new LevelProgress(HASH, false, OptionalInt.empty(), 0));
+                .isEqualTo(new LevelProgress(HASH, false, OptionalInt.empty(), 0, false));
     }
 
     @Test
@@ -36,16 +36,27 @@ class ProgressTest {
         Progress solved = twice.solved("tilt", HASH, 2);
         assertThat(solved.of("tilt", HASH).failures()).isZero();
         assertThat(solved.failed("tilt", HASH).of("tilt", HASH))
-                .isEqualTo(new LevelProgress(HASH, true, OptionalInt.of(2), 1));
+                .isEqualTo(new LevelProgress(HASH, true, OptionalInt.of(2), 1, false));
     }
 
     @Test
     void aChangedLevelStaysSolvedButItsClicksAreThoseOfAnotherLevel() {
         Progress progress = Progress.none().solved("tilt", HASH, 2).failed("tilt", HASH);
         assertThat(progress.of("tilt", CHANGED))
-                .isEqualTo(new LevelProgress(CHANGED, true, OptionalInt.empty(), 0));
+                .isEqualTo(new LevelProgress(CHANGED, true, OptionalInt.empty(), 0, false));
         assertThat(progress.solved("tilt", CHANGED, 4).of("tilt", CHANGED).fewestClicks())
                 .hasValue(4);
+    }
+
+    @Test
+    void aStarStaysFoundWhateverComesLater() {
+        Progress found = Progress.none().solved("tilt", HASH, 3).starred("tilt", HASH);
+        assertThat(found.solved("tilt", HASH, 2).failed("tilt", HASH).of("tilt", HASH).hasStar())
+                .isTrue();
+        assertThat(found.of("tilt", CHANGED).hasStar()).isTrue();
+        Progress elsewhere = Progress.none().solved("tilt", HASH, 1);
+        assertThat(elsewhere.with(found).of("tilt", HASH))
+                .isEqualTo(new LevelProgress(HASH, true, OptionalInt.of(1), 0, true));
     }
 
     @Test
@@ -90,11 +101,13 @@ class ProgressTest {
         assertThatThrownBy(() -> new DayResult(1, 0)).hasMessageContaining("steps");
         assertThatThrownBy(() -> new Progress(new TreeMap<>(), new TreeMap<>(), 0))
                 .hasMessageContaining("endless");
-        assertThatThrownBy(() -> new LevelProgress(HASH, true, OptionalInt.of(-1), 0))
+        assertThatThrownBy(() -> new LevelProgress(HASH, true, OptionalInt.of(-1), 0, false))
                 .hasMessageContaining("fewestClicks");
-        assertThatThrownBy(() -> new LevelProgress(HASH, true, OptionalInt.of(1), -1))
+        assertThatThrownBy(() -> new LevelProgress(HASH, true, OptionalInt.of(1), -1, false))
                 .hasMessageContaining("failures");
-        assertThatThrownBy(() -> new LevelProgress(HASH, false, OptionalInt.of(1), 0))
+        assertThatThrownBy(() -> new LevelProgress(HASH, false, OptionalInt.of(1), 0, false))
                 .hasMessageContaining("solved");
+        assertThatThrownBy(() -> new LevelProgress(HASH, false, OptionalInt.empty(), 0, true))
+                .hasMessageContaining("hasStar");
     }
 }

@@ -4,6 +4,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.level.Star;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.scene.accuracy.Preset;
 
@@ -15,7 +16,8 @@ import java.util.stream.Collectors;
 
 /**
  * Checks that need a game to be played. E151: a stored solution does not win, as stated or with
- * small variations; E152: fewer clicks than par win; E160: the level moves by itself.
+ * small variations; E152: fewer clicks than par win; E154: the star is not earned, or is no secret;
+ * E160: the level moves by itself.
  */
 final class LevelCheck {
 
@@ -49,6 +51,7 @@ final class LevelCheck {
         for (int i = 0; i < level.solutions().size(); i++) {
             solution("/solutions/" + i, level.solutions().get(i));
         }
+        level.star().ifPresent(this::star);
         if (level.limits().par() > 1) {
             singleClicks();
         }
@@ -77,6 +80,12 @@ final class LevelCheck {
                                                 + lost));
         NeededClicks.winner(level, solution, presets, games)
                 .ifPresent(words -> loaded.error(pointer, "E152 has a click too many: " + words));
+    }
+
+    private void star(Star star) {
+        StarTrials trials = new StarTrials(level, star, presets, games);
+        proved.add("secret star: " + trials.words());
+        trials.fault().ifPresent(words -> loaded.error("/star", words));
     }
 
     private void singleClicks() {

@@ -33,9 +33,17 @@ record SolutionTrials(List<Game> games) {
             return verdict.isWon();
         }
 
+        boolean hasStar() {
+            return verdict.hasStar();
+        }
+
+        boolean isAsStated() {
+            return seed == Jitter.STATED;
+        }
+
         @Override
         public String toString() {
-            return (seed == Jitter.STATED ? "" : "with seed " + seed + " ")
+            return (isAsStated() ? "" : "with seed " + seed + " ")
                     + "at "
                     + preset
                     + ": "
@@ -50,6 +58,12 @@ record SolutionTrials(List<Game> games) {
     /** Whether every game is won; plays none after the first that is lost. */
     static boolean winAll(Level level, Solution solution, List<Preset> presets, Games games) {
         return all(level, solution, presets, games).allMatch(Game::isWon);
+    }
+
+    /** The games as the file states them, one for each preset. */
+    static Stream<Game> asStated(
+            Level level, Solution solution, List<Preset> presets, Games games) {
+        return presets.stream().map(preset -> play(level, solution, preset, Jitter.STATED, games));
     }
 
     private static Stream<Game> all(

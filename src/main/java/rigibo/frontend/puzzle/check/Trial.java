@@ -58,7 +58,8 @@ final class Trial {
         PuzzleGame game = playback.game();
         Verdict.End end = end();
         String why = end == Verdict.End.WON ? "" : why();
-        return new Verdict(end, game.steps(), game.steps() - game.stillSteps(), why);
+        int still = game.steps() - game.stillSteps();
+        return new Verdict(end, game.steps(), still, why, game.hasStar());
     }
 
     private Verdict.End end() {

@@ -11,8 +11,9 @@ import java.util.Locale;
  * @param steps number of steps up to the end
  * @param still step at which the last body came to rest; the end itself if some never did
  * @param why the reason in words, if it was not won
+ * @param hasStar whether it earned the level's star
  */
-record Verdict(End end, int steps, int still, String why) {
+record Verdict(End end, int steps, int still, String why, boolean hasStar) {
 
     /** How a game may end. */
     enum End {

@@ -24,6 +24,9 @@ final class FormatRules {
         if (!json.node("/joints").isMissingNode()) {
             tell(json, "/joints", "\"joints\"");
         }
+        if (!json.node(LevelSketch.STAR).isMissingNode()) {
+            tell(json, LevelSketch.STAR, "\"star\"");
+        }
         for (JsonNode effect : json.node("/world/effects")) {
             if (EFFECTS.contains(effect.asString(""))) {
                 tell(json, "/world/effects", "the effect \"" + effect.asString() + "\"");

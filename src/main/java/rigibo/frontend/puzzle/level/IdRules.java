@@ -30,10 +30,14 @@ final class IdRules {
         IdRules rules = new IdRules(sketch.json());
         rules.collect("/bodies", "body");
         rules.collect("/joints", "joint");
-        for (Located<Solution> solution : sketch.solutions()) {
+        for (Located<Solution> solution : sketch.ways()) {
             for (int i = 0; i < solution.part().clicks().size(); i++) {
                 rules.reference(solution.pointer() + "/clicks/" + i);
             }
+        }
+        JsonNode star = sketch.json().node(LevelSketch.STAR);
+        if (star.has("body") || star.has("joint")) {
+            rules.reference(LevelSketch.STAR);
         }
     }
 
@@ -54,12 +58,17 @@ final class IdRules {
         return "E101 " + kind + " id " + id + " is used twice (first at " + first + ")";
     }
 
-    private void reference(String click) {
-        String kind = json.node(click).has("joint") ? "joint" : "body";
+    /**
+     * Checks what a click or a star names.
+     *
+     * @param at its pointer
+     */
+    private void reference(String at) {
+        String kind = json.node(at).has("joint") ? "joint" : "body";
         String list = kind.equals("joint") ? "/joints/" : "/bodies/";
-        String id = json.node(click + "/" + kind).asString("");
+        String id = json.node(at + "/" + kind).asString("");
         if (!ids.getOrDefault(id, "").startsWith(list)) {
-            json.error(click + "/" + kind, () -> unknown(kind, list, id));
+            json.error(at + "/" + kind, () -> unknown(kind, list, id));
         }
     }
 

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import java.util.stream.Stream;
 
@@ -17,6 +18,7 @@ import java.util.stream.Stream;
  * @param bodies everything else, in the file's order
  * @param joints between them, in the file's order
  * @param solutions clicks known to win
+ * @param star the secret one, where there is one
  */
 public record Level(
         String id,
@@ -28,7 +30,8 @@ public record Level(
         Platform platform,
         List<LevelBody> bodies,
         List<LevelJoint> joints,
-        List<Solution> solutions) {
+        List<Solution> solutions,
+        Optional<Star> star) {
 
     public Level {
         balls = List.copyOf(balls);
@@ -49,16 +52,21 @@ public record Level(
                 platform,
                 bodies,
                 joints,
-                solutions);
+                solutions,
+                star);
     }
 
-    /** A 64-bit hash of all that play depends on; texts and solutions do not count. */
+    /** A 64-bit hash of all that play depends on; texts, solutions and star do not count. */
     public long hash() {
         return LevelHash.of(this);
     }
 
     /** All on which a click acts: bodies in the file's order, then joints. */
     public List<Clickable> clickables() {
+        return clickables(bodies, joints);
+    }
+
+    static List<Clickable> clickables(List<LevelBody> bodies, List<LevelJoint> joints) {
         Stream<Clickable> ofBodies =
                 bodies.stream()
                         .flatMap(
@@ -103,6 +111,7 @@ public record Level(
                 platform,
                 shifted,
                 joints,
-                solutions);
+                solutions,
+                star);
     }
 }

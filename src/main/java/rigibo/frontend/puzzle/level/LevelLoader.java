@@ -57,6 +57,7 @@ public final class LevelLoader {
         JointRules.check(sketch);
         EffectRules.check(sketch);
         SolutionRules.check(sketch);
+        StarRules.check(sketch);
         return document.hasErrors() ? Optional.empty() : Optional.of(sketch.level());
     }
 }

@@ -21,6 +21,7 @@ import java.util.function.Function;
  * @param bodies the sound ones, in the file's order
  * @param joints the sound ones, in the file's order
  * @param solutions the sound ones, in the file's order
+ * @param star where there is a sound one
  */
 record LevelSketch(
         Document json,
@@ -30,7 +31,11 @@ record LevelSketch(
         Optional<Located<Platform>> platform,
         List<Located<LevelBody>> bodies,
         List<Located<LevelJoint>> joints,
-        List<Located<Solution>> solutions) {
+        List<Located<Solution>> solutions,
+        Optional<Located<Star>> star) {
+
+    /** Where a file states its star. */
+    static final String STAR = "/star";
 
     /** Reads what the schema found sound; the readers tell what they find. */
     static LevelSketch of(Document json) {
@@ -42,7 +47,8 @@ record LevelSketch(
                 part(json, "/platform", LevelReader::platform),
                 bodies(json),
                 joints(json),
-                solutions(json));
+                solutions(json),
+                part(json, STAR, StarReader::star));
     }
 
     /** The whole level; call only when there is no error. */
@@ -58,7 +64,15 @@ record LevelSketch(
                 platform.orElseThrow().part(),
                 bodies.stream().map(Located::part).toList(),
                 joints.stream().map(Located::part).toList(),
-                solutions.stream().map(Located::part).toList());
+                solutions.stream().map(Located::part).toList(),
+                star.map(Located::part));
+    }
+
+    /** All clicks that are said to win: the solutions, and the star's. */
+    List<Located<Solution>> ways() {
+        List<Located<Solution>> ways = new ArrayList<>(solutions);
+        star.ifPresent(one -> ways.add(new Located<>(STAR + "/solution", one.part().solution())));
+        return ways;
     }
 
     private static Optional<Located<World>> world(Document json) {

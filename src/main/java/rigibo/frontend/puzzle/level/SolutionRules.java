@@ -14,7 +14,7 @@ final class SolutionRules {
     }
 
     private static void check(LevelSketch sketch, Limits limits) {
-        for (Located<Solution> solution : sketch.solutions()) {
+        for (Located<Solution> solution : sketch.ways()) {
             List<Click> clicks = solution.part().clicks();
             for (int i = 1; i < clicks.size(); i++) {
                 requireCooled(sketch.json(), solution, i, limits.cooldown());

@@ -123,7 +123,7 @@ record Board(
         return pieces.stream().filter(piece -> piece.definition().id().equals(id)).findFirst();
     }
 
-    private Optional<Piece> piece(RigidBody body) {
+    Optional<Piece> piece(RigidBody body) {
         return pieces.stream().filter(piece -> piece.body() == body).findFirst();
     }
 
@@ -150,6 +150,14 @@ record Board(
     /** Whether one of the balls is lost. */
     boolean ballHasLeft() {
         return balls.stream().anyMatch(this::hasLeft);
+    }
+
+    /**
+     * Whether a body of the level that nobody deleted is out of sight, below or beside the world.
+     */
+    boolean hasFallen(Piece piece) {
+        RigidBody body = piece.body();
+        return body.isAlive() && isOutside(body, Math.min(body.shape().boundingRadius(), STRAY));
     }
 
     /** A ball may fly above the world and come back; below and beside it there is no way back. */

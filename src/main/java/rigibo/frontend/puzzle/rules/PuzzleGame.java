@@ -26,6 +26,7 @@ public final class PuzzleGame {
     private final Cooldown cooldown;
     private final HoldClock hold;
     private final RestWatch rest = new RestWatch();
+    private final Optional<StarWatch> star;
     private final Trace trace = new Trace();
     private final List<Act> acts = new ArrayList<>();
     private Outcome outcome = Outcome.RUNNING;
@@ -33,6 +34,7 @@ public final class PuzzleGame {
     private int steps;
     private int endedAt;
     private boolean isExperiment;
+    private boolean isStarEarned;
 
     /** An attempt at its start. */
     public PuzzleGame(Level level, Accuracy accuracy) {
@@ -47,6 +49,7 @@ public final class PuzzleGame {
         workings = new Workings(board.pool(), board.pieces(), board.sources());
         cooldown = new Cooldown(Steps.of(limits.cooldown()));
         hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
+        star = level.star().map(one -> new StarWatch(one.feat(), board));
         trace.observe(steps, outcome, board.pool());
     }
 
@@ -56,6 +59,9 @@ public final class PuzzleGame {
         workings.beforeStep(steps);
         board.pool().step(Steps.SECONDS);
         steps++;
+        if (outcome == Outcome.RUNNING) {
+            star.ifPresent(StarWatch::observe);
+        }
         board.forgetStrays();
         if (workings.isBurning()) {
             rest.restart();
@@ -72,6 +78,7 @@ public final class PuzzleGame {
         hold.observe(steps, board.ballsAreOnPlatform());
         if (hold.isHeld(steps)) {
             end(Outcome.WON, Optional.empty());
+            isStarEarned = star.filter(one -> one.isEarned(acts, steps)).isPresent();
         } else if (board.ballHasLeft()) {
             lose(hold.hasTouched() ? Loss.ROLLED_OFF : Loss.LEFT_THE_WORLD);
         } else if (isTimeUp()) {
@@ -265,6 +272,11 @@ public final class PuzzleGame {
     /** Whether the level is solved as it is meant to be. */
     public boolean isSolved() {
         return outcome == Outcome.WON && !isExperiment;
+    }
+
+    /** Whether the level is solved in the way that earns its secret star. */
+    public boolean hasStar() {
+        return isSolved() && isStarEarned;
     }
 
     /** The game's states from its start to its end, every so many steps. */

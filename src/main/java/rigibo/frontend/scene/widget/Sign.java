@@ -3,11 +3,17 @@ package rigibo.frontend.scene.widget;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** A tick and a cross for good and bad, which do not rely on colour alone. */
+/** A tick and a cross for good and bad, and a star: signs that do not rely on colour alone. */
 public final class Sign {
 
     /** From the middle to the foot of a tick, a share of its arm. */
     private static final double FOOT = 0.28;
+
+    /** Points of a star's outline, tips and notches by turns, the first one twice. */
+    private static final int STAR_POINTS = 11;
+
+    /** From the middle to a notch of a star, a share of the way to a tip. */
+    private static final double NOTCH = 0.5;
 
     private Sign() {}
 
@@ -35,5 +41,35 @@ public final class Sign {
             Canvas canvas, double x, double y, double arm, double width, Color color) {
         canvas.line(x - arm, y - arm, x + arm, y + arm, width, color);
         canvas.line(x - arm, y + arm, x + arm, y - arm, width, color);
+    }
+
+    /**
+     * The outline of a star with five tips.
+     *
+     * @param radius from its middle to a tip, px
+     * @param width of its lines, px
+     */
+    public static void outlinedStar(
+            Canvas canvas, double x, double y, double radius, double width, Color color) {
+        double[] xy = new double[2 * STAR_POINTS];
+        for (int i = 0; i < STAR_POINTS; i++) {
+            double reach = i % 2 == 0 ? radius : NOTCH * radius;
+            double angle = 2 * Math.PI * i / (STAR_POINTS - 1);
+            xy[2 * i] = x + reach * Math.sin(angle);
+            xy[2 * i + 1] = y - reach * Math.cos(angle);
+        }
+        canvas.curve(xy, STAR_POINTS, width, color);
+    }
+
+    /**
+     * A star with five tips, filled by outlines that lie on each other.
+     *
+     * @param radius from its middle to a tip, px
+     */
+    public static void star(Canvas canvas, double x, double y, double radius, Color color) {
+        double width = 0.22 * radius;
+        for (double rest = radius - width / 2; rest > 0; rest -= 0.8 * width) {
+            outlinedStar(canvas, x, y, rest, width, color);
+        }
     }
 }

@@ -17,6 +17,7 @@ import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.Solution;
 
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
@@ -123,6 +124,30 @@ class DraftTest {
         Draft less = solved.without(solved.item("/bodies/1").orElseThrow());
         assertThat(less.at("/solutions")).hasSize(1);
         assertThat(less.at("/solutions/0/clicks/0/body").asString()).isEqualTo("rigibo2");
+    }
+
+    /** A star of an id nobody has would be an error that the editor itself has made. */
+    @Test
+    void theStarFollowsABodyThatIsRenamedAndGoesWithIt() {
+        Draft draft = NewLevel.draft().plus(body("rigibo")).plus(body("stone"));
+        String clicks = "{\"clicks\": [{\"t\": 1, \"body\": \"rigibo1\"}]}";
+        Draft starred =
+                draft.with(
+                        "/star",
+                        JsonNodeFactory.instance
+                                .objectNode()
+                                .put("type", "avoid")
+                                .put("body", "stone1")
+                                .set("solution", JsonMapper.shared().readTree(clicks)));
+        Draft renamed = Clicks.renamed(starred, "stone1", "pillar");
+        assertThat(renamed.at("/star/body").asString()).isEqualTo("pillar");
+        Draft other = Clicks.renamed(starred, "rigibo1", "box");
+        assertThat(other.at("/star/solution/clicks/0/body").asString()).isEqualTo("box");
+        for (Item body : List.of(starred.lastBody(), starred.item("/bodies/1").orElseThrow())) {
+            assertThat(starred.without(body).at("/star").isMissingNode()).as(body.id()).isTrue();
+        }
+        Item ledge = starred.item("/bodies/0").orElseThrow();
+        assertThat(starred.without(ledge).at("/star/type").asString()).isEqualTo("avoid");
     }
 
     @Test

@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import rigibo.frontend.puzzle.level.LevelTexts;
+import rigibo.frontend.puzzle.level.StarLevels;
 import rigibo.frontend.scene.accuracy.Preset;
 
 import java.io.IOException;
@@ -82,6 +83,36 @@ class LevelCheckTest {
                         "a.json:19:5: /solutions/0: E151 wins only 0 of 41 games with everything up"
                                 + " to 10 mm aside and clicks up to 0.1 s late; lost at GAME: the"
                                 + " ball is lost: nothing left to delete at 2.00 s");
+    }
+
+    @Test
+    void aStarIsProvedByItsOwnClicks() {
+        String clicks = "{\"t\": 1, \"body\": \"box\"}, {\"t\": 2, \"body\": \"wall\"}";
+        assertThat(check(StarLevels.text("'type': 'clear'", clicks)))
+                .startsWith(
+                        "a.json: ok",
+                        "  box at 1.0 s: wins 41 of 41 games",
+                        "  secret star: earned in 41 of 41 games");
+        assertThat(check(StarLevels.text("'type': 'clear'")))
+                .anyMatch(
+                        line ->
+                                line.contains(
+                                        "/star: E154 its solution does not earn it at GAME: won"));
+    }
+
+    /** The solution that players are shown must not give the star away. */
+    @Test
+    void aStarThatIsShownIsNoSecret() {
+        assertThat(check(StarLevels.text("'type': 'keep', 'body': 'wall'")))
+                .anyMatch(line -> line.contains("/star: E154 is no secret"));
+    }
+
+    /** Clicks up to 0.1 s late miss the time in most games. */
+    @Test
+    void aStarThatTakesLuckIsTold() {
+        String soon = "{\"t\": 0, \"body\": \"box\"}";
+        assertThat(check(StarLevels.text("'type': 'quick', 'seconds': 3.5", soon)))
+                .anyMatch(line -> line.contains("/star: E154 needs luck: earned in "));
     }
 
     @Test

@@ -117,12 +117,14 @@ class LevelFilesTest {
     }
 
     @Test
-    void theGamesOwnLevelsHaveTitleHintAndSolution() {
+    void theGamesOwnLevelsHaveTitleHintSolutionAndStar() {
         for (Path file : LevelShelf.files()) {
             Level level = loader.load(file).level().orElseThrow();
             assertThat(level.title().byLanguage()).as(level.id()).containsKeys("en", "de");
             assertThat(level.hint().byLanguage()).as(level.id()).containsKeys("en", "de");
             assertThat(level.solutions()).as(level.id()).isNotEmpty();
+            Wording star = level.star().orElseThrow().text();
+            assertThat(star.byLanguage()).as(level.id()).containsKeys("en", "de");
         }
     }
 

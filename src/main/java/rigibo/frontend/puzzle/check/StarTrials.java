@@ -1,0 +1,61 @@
+package rigibo.frontend.puzzle.check;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.level.Star;
+import rigibo.frontend.scene.accuracy.Preset;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Proves that a level's secret star can be earned, and that the solution which is shown does not
+ * earn it. Unlike a solution the star may take skill: it must be earned as the file states it, and
+ * in most games with everything a little aside.
+ */
+final class StarTrials {
+
+    private final List<SolutionTrials.Game> games;
+    private final boolean isShown;
+
+    StarTrials(Level level, Star star, List<Preset> presets, Games played) {
+        games = SolutionTrials.of(level, star.solution(), presets, played).games();
+        isShown =
+                level.solutions().stream()
+                        .limit(1)
+                        .anyMatch(shown -> isEarned(level, shown, presets, played));
+    }
+
+    private static boolean isEarned(
+            Level level, Solution shown, List<Preset> presets, Games played) {
+        return SolutionTrials.asStated(level, shown, presets, played)
+                .anyMatch(SolutionTrials.Game::hasStar);
+    }
+
+    private long earned() {
+        return games.stream().filter(SolutionTrials.Game::hasStar).count();
+    }
+
+    /** What was found, in words. */
+    String words() {
+        return "earned in " + earned() + " of " + games.size() + " games";
+    }
+
+    /** What is wrong with the star, if anything is. */
+    Optional<String> fault() {
+        Optional<String> missed =
+                games.stream()
+                        .filter(game -> game.isAsStated() && !game.hasStar())
+                        .map(game -> "E154 its solution does not earn it " + game)
+                        .findFirst();
+        if (missed.isPresent()) {
+            return missed;
+        }
+        if (2 * earned() <= games.size()) {
+            return Optional.of("E154 needs luck: " + words());
+        }
+        return isShown
+                ? Optional.of("E154 is no secret: /solutions/0, which is shown, earns it")
+                : Optional.empty();
+    }
+}
