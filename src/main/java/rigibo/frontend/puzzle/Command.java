@@ -12,6 +12,8 @@ enum Command {
     UNDO,
     SLOWER,
     EFFECTS,
+    /** Shows the player's best run as a ghost beside the game. */
+    GHOST,
     HINT,
     /** Shows a stored solution. */
     SOLUTION,

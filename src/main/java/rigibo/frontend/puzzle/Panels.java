@@ -13,6 +13,7 @@ import rigibo.frontend.scene.Words;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * The panels around the play: the bar, the keys, those that open in between, and the one at the
@@ -138,7 +139,12 @@ final class Panels {
         return session.isPaused() ? Optional.of(pause) : end().map(EndPanel::buttons);
     }
 
-    void draw(Canvas canvas, Refusal refusal, boolean hasHint, Motion motion) {
+    /**
+     * Draws all of them.
+     *
+     * @param offered commands that are not there in every frame, in their order
+     */
+    void draw(Canvas canvas, Refusal refusal, Set<Command> offered, Motion motion) {
         if (session.isShowing()) {
             canvas.frame(3, 3, Scene.WIDTH - 6, Scene.HEIGHT - 6, 12, Color.BRASS);
             hud.drawShow(canvas, words, session, stop, motion);
@@ -149,7 +155,7 @@ final class Panels {
         }
         drawDrawer(canvas);
         session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, foot()));
-        keys.draw(canvas, words, commands(hasHint), lit());
+        keys.draw(canvas, words, commands(offered), lit());
         end().ifPresent(panel -> panel.draw(canvas, words, motion));
     }
 
@@ -173,7 +179,7 @@ final class Panels {
         }
     }
 
-    private List<Command> commands(boolean hasHint) {
+    private List<Command> commands(Set<Command> offered) {
         if (session.isShowing()) {
             return List.of(Command.PAUSE, Command.SLOWER, Command.STOP);
         }
@@ -185,9 +191,7 @@ final class Panels {
             commands.add(Command.SLOWER);
         }
         commands.add(Command.EFFECTS);
-        if (hasHint) {
-            commands.add(Command.HINT);
-        }
+        commands.addAll(offered);
         commands.add(Command.MENU);
         return commands;
     }
@@ -202,6 +206,9 @@ final class Panels {
         }
         if (open == Drawer.EFFECTS) {
             lit.add(Command.EFFECTS);
+        }
+        if (session.hasGhost()) {
+            lit.add(Command.GHOST);
         }
         if (open == Drawer.HINT) {
             lit.add(Command.HINT);

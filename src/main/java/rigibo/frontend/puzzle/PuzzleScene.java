@@ -15,6 +15,7 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -35,6 +36,7 @@ public final class PuzzleScene implements Scene {
     private final Panels panels;
     private final Tally tally;
     private final Lesson lesson;
+    private final GhostSwitch ghost;
     private Optional<Solution> solution = Optional.empty();
     private boolean isShiftHeld;
 
@@ -75,6 +77,7 @@ public final class PuzzleScene implements Scene {
         table = new Table(session, view.camera(), new Noises(director.sounds(), session.game()));
         this.lesson = lesson;
         panels = new Panels(level, session, view, director.words(), lesson);
+        ghost = new GhostSwitch(director, session, tally);
     }
 
     @Override
@@ -100,6 +103,7 @@ public final class PuzzleScene implements Scene {
         panels.end(game, sequel.next().isPresent(), tally.hasStar());
         if (game.isSolved()) {
             solution = Optional.of(game.replay().solution());
+            ghost.solved();
             table.celebrate(motion());
         }
     }
@@ -113,8 +117,20 @@ public final class PuzzleScene implements Scene {
         panels.layOut(canvas.layout());
         table.draw(canvas, motion());
         lesson.draw(canvas, session, view.camera(), motion());
-        panels.draw(canvas, table.refusal(), hasHint(), motion());
+        panels.draw(canvas, table.refusal(), offered(), motion());
         table.drawPointer(canvas, motion());
+    }
+
+    /** The commands that are there at times. */
+    private Set<Command> offered() {
+        Set<Command> offered = EnumSet.noneOf(Command.class);
+        if (ghost.isOffered()) {
+            offered.add(Command.GHOST);
+        }
+        if (hasHint()) {
+            offered.add(Command.HINT);
+        }
+        return offered;
     }
 
     private boolean hasHint() {
@@ -170,6 +186,7 @@ public final class PuzzleScene implements Scene {
             case R -> run(session.isShowing() ? Command.STOP : Command.RESTART);
             case P -> run(Command.PAUSE);
             case E -> run(Command.EFFECTS);
+            case G -> run(Command.GHOST);
             case H -> run(Command.HINT);
             case V -> run(Command.SOLUTION);
             case C -> run(Command.COPY);
@@ -228,6 +245,7 @@ public final class PuzzleScene implements Scene {
             case UNDO -> undo();
             case SLOWER -> session.pace(session.pace().next());
             case EFFECTS -> effects();
+            case GHOST -> ghost();
             case HINT -> hint();
             case SOLUTION -> showSolution();
             case REPLAY -> session.showAgain();
@@ -248,6 +266,7 @@ public final class PuzzleScene implements Scene {
     private void restart() {
         tally.givenUp(session.game());
         session.restart();
+        ghost.begin();
     }
 
     private void undo() {
@@ -262,6 +281,14 @@ public final class PuzzleScene implements Scene {
             table.refuse(Refusal.Reason.SHOWING);
         } else {
             panels.toggle(Panels.Drawer.EFFECTS);
+        }
+    }
+
+    private void ghost() {
+        if (session.isShowing()) {
+            table.refuse(Refusal.Reason.SHOWING);
+        } else if (!ghost.toggle()) {
+            table.refuse(Refusal.Reason.NO_RUN_YET);
         }
     }
 

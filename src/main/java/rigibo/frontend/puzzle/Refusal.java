@@ -39,6 +39,8 @@ final class Refusal {
         /** There is nothing to undo. */
         NO_UNDO,
         NO_HINT_YET,
+        /** No best run was kept that could be shown. */
+        NO_RUN_YET,
         /** The game on the screen is not the player's own. */
         SHOWING,
         OVER

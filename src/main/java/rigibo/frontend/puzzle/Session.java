@@ -12,6 +12,7 @@ import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Playback;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.rules.Replay;
+import rigibo.frontend.scene.Canvas;
 
 import java.util.Optional;
 
@@ -30,6 +31,7 @@ final class Session {
     private PuzzleGame own;
     private Optional<Playback> show = Optional.empty();
     private Optional<Proof> proof = Optional.empty();
+    private Optional<BestRun> ghost = Optional.empty();
     private Hand hand = Hand.PLAYER;
     private int curtain;
     private Pace pace = Pace.FULL;
@@ -66,11 +68,37 @@ final class Session {
         boolean isDue = frame == 0;
         if (isDue) {
             poses.remember(game().pool());
-            show.ifPresentOrElse(Playback::step, own::step);
+            show.ifPresentOrElse(Playback::step, this::stepOwn);
             compare();
         }
         lowerCurtain();
         return isDue;
+    }
+
+    private void stepOwn() {
+        own.step();
+        leadGhost();
+    }
+
+    /** Puts a run beside the player's own game, or none. */
+    void ghost(Optional<BestRun> best) {
+        ghost = best;
+        leadGhost();
+    }
+
+    private void leadGhost() {
+        ghost.ifPresent(run -> run.follow(own));
+    }
+
+    boolean hasGhost() {
+        return ghost.isPresent();
+    }
+
+    /** Draws the run beside the player's own game, if there is one. */
+    void drawGhost(Canvas canvas) {
+        if (!isShowing()) {
+            ghost.ifPresent(run -> run.draw(canvas, share()));
+        }
     }
 
     private void lowerCurtain() {
@@ -82,7 +110,12 @@ final class Session {
 
     /** The pose at which a body is drawn; in slow motion between two steps. */
     Pose pose(RigidBody body) {
-        return poses.of(body, (frame + 1.0) / pace.framesPerStep());
+        return poses.of(body, share());
+    }
+
+    /** Share of the way from the last step's beginning to its end that is drawn. */
+    private double share() {
+        return (frame + 1.0) / pace.framesPerStep();
     }
 
     /** The pose of a body that the last step of a show deleted. */
@@ -92,6 +125,7 @@ final class Session {
 
     void restart() {
         own = timed(new PuzzleGame(level, accuracy));
+        leadGhost();
         endShow();
     }
 
@@ -111,6 +145,7 @@ final class Session {
         Playback again = new Playback(level, played.withoutLast());
         again.stepTo(step);
         own = timed(again.game());
+        leadGhost();
         toLastStep();
         return true;
     }

@@ -79,6 +79,7 @@ final class Stage {
         for (RigidBody each : game.balls()) {
             body(canvas, each, Skin.BALL, Canvas.Mood.PLAIN);
         }
+        session.drawGhost(canvas);
         for (Piece piece : game.pieces()) {
             if (piece.isAlive()) {
                 Streams.draw(canvas, camera, piece, game.steps());

@@ -74,6 +74,16 @@ final class Tally {
         }
     }
 
+    /** Whether a run was kept, though it may be of another revision. */
+    boolean hasRun() {
+        return shelf.filter(ReplayShelf::hasRun).isPresent();
+    }
+
+    /** The best run that was kept and plays still; reads a file. */
+    Optional<Recording> best() {
+        return shelf.flatMap(ReplayShelf::watchable);
+    }
+
     /** Whether the player has found the level's star, in this try or before. */
     boolean hasStar() {
         return ledger.known().hasStar();

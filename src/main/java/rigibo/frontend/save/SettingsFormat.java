@@ -21,7 +21,8 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
                 json.optional("muted").truth(initial.isMuted()),
                 json.optional("motion").word(Settings.Motion.class, initial.motion()),
                 json.optional("detail").word(Settings.Detail.class, initial.detail()),
-                json.optional("fullScreen").truth(initial.isFullScreen()));
+                json.optional("fullScreen").truth(initial.isFullScreen()),
+                json.optional("ghost").truth(initial.hasGhost()));
     }
 
     @Override
@@ -32,6 +33,7 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
         json.put("motion", settings.motion().name().toLowerCase(Locale.ROOT));
         json.put("detail", settings.detail().name().toLowerCase(Locale.ROOT));
         json.put("fullScreen", settings.isFullScreen());
+        json.put("ghost", settings.hasGhost());
     }
 
     @Override
@@ -42,7 +44,8 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
                 later(before, onDisk, own, Settings::isMuted),
                 later(before, onDisk, own, Settings::motion),
                 later(before, onDisk, own, Settings::detail),
-                later(before, onDisk, own, Settings::isFullScreen));
+                later(before, onDisk, own, Settings::isFullScreen),
+                later(before, onDisk, own, Settings::hasGhost));
     }
 
     /** Our own choice where one was made since, for it is the latest; else what the file has. */

@@ -11,6 +11,7 @@ import java.util.Set;
  * @param motion how much shakes, flashes and fades
  * @param detail how much detail is drawn
  * @param isFullScreen whether windows fill the screen
+ * @param hasGhost whether the best run of a level is shown beside the game
  */
 public record Settings(
         String language,
@@ -18,7 +19,8 @@ public record Settings(
         boolean isMuted,
         Motion motion,
         Detail detail,
-        boolean isFullScreen) {
+        boolean isFullScreen,
+        boolean hasGhost) {
 
     /** The languages there are words in, as ISO 639 names them. */
     public static final Set<String> LANGUAGES = Set.of("en", "de");
@@ -52,36 +54,41 @@ public record Settings(
     /** What holds before anything was chosen, in the system's language where we have it. */
     public static Settings initial(String systemLanguage) {
         String language = LANGUAGES.contains(systemLanguage) ? systemLanguage : "en";
-        return new Settings(language, 0.7, false, Motion.FULL, Detail.AUTOMATIC, false);
+        return new Settings(language, 0.7, false, Motion.FULL, Detail.AUTOMATIC, false, false);
     }
 
     /** Returns these settings with another language. */
     public Settings withLanguage(String other) {
-        return new Settings(other, volume, isMuted, motion, detail, isFullScreen);
+        return new Settings(other, volume, isMuted, motion, detail, isFullScreen, hasGhost);
     }
 
     /** Returns these settings with another volume, 0 to 1. */
     public Settings withVolume(double other) {
-        return new Settings(language, other, isMuted, motion, detail, isFullScreen);
+        return new Settings(language, other, isMuted, motion, detail, isFullScreen, hasGhost);
     }
 
     /** Returns these settings with sound or without. */
     public Settings withMuted(boolean other) {
-        return new Settings(language, volume, other, motion, detail, isFullScreen);
+        return new Settings(language, volume, other, motion, detail, isFullScreen, hasGhost);
     }
 
     /** Returns these settings with another amount of motion. */
     public Settings withMotion(Motion other) {
-        return new Settings(language, volume, isMuted, other, detail, isFullScreen);
+        return new Settings(language, volume, isMuted, other, detail, isFullScreen, hasGhost);
     }
 
     /** Returns these settings with another amount of detail. */
     public Settings withDetail(Detail other) {
-        return new Settings(language, volume, isMuted, motion, other, isFullScreen);
+        return new Settings(language, volume, isMuted, motion, other, isFullScreen, hasGhost);
     }
 
     /** Returns these settings for windows or the full screen. */
     public Settings withFullScreen(boolean other) {
-        return new Settings(language, volume, isMuted, motion, detail, other);
+        return new Settings(language, volume, isMuted, motion, detail, other, hasGhost);
+    }
+
+    /** Returns these settings with the ghost of the best run or without. */
+    public Settings withGhost(boolean other) {
+        return new Settings(language, volume, isMuted, motion, detail, isFullScreen, other);
     }
 }

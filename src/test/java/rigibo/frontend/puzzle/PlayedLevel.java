@@ -75,7 +75,13 @@ final class PlayedLevel {
     }
 
     PlayedLevel clickBox() {
-        return click(4.5, 1.85);
+        clickBox(scene);
+        return this;
+    }
+
+    /** A click on the box of {@link #twoBoxes} in a scene. */
+    static void clickBox(Scene scene) {
+        scene.pointerPressed(PointerButton.LEFT, 4.5 * SCALE, Scene.HEIGHT - 1.85 * SCALE);
     }
 
     PlayedLevel clickWall() {

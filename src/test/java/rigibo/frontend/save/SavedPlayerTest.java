@@ -79,7 +79,8 @@ class SavedPlayerTest {
                         .withMuted(true)
                         .withMotion(Settings.Motion.REDUCED)
                         .withDetail(Settings.Detail.LITE)
-                        .withFullScreen(true);
+                        .withFullScreen(true)
+                        .withGhost(true);
         try (SavedPlayer player = start()) {
             player.settings(chosen);
             player.progress(TWO);

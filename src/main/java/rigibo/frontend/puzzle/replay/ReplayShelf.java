@@ -48,6 +48,11 @@ public final class ReplayShelf {
         return folder.resolve(id + ".last" + ENDING);
     }
 
+    /** Whether there is a file of a run. */
+    public boolean hasRun() {
+        return Files.isRegularFile(best()) || Files.isRegularFile(last());
+    }
+
     /** The best run that can still be watched, otherwise the last; empty if neither can be. */
     public Optional<Recording> watchable() {
         return recording(best()).or(() -> recording(last()));

@@ -1,0 +1,58 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.scene.Director;
+
+import java.util.Optional;
+
+/** Shows the ghost of the player's best run or none, as chosen in this level or one before it. */
+final class GhostSwitch {
+
+    private final Director director;
+    private final Session session;
+    private final Tally tally;
+
+    /** Whether a run was kept, so that there is something to switch. */
+    private boolean isOffered;
+
+    /** Whether a run was kept that may be better than the one that is shown. */
+    private boolean isOutdated = true;
+
+    GhostSwitch(Director director, Session session, Tally tally) {
+        this.director = director;
+        this.session = session;
+        this.tally = tally;
+        isOffered = tally.hasRun();
+        begin();
+    }
+
+    /** A try begins: the ghost is the best run that there is now. */
+    void begin() {
+        if (director.settings().hasGhost() && isOutdated) {
+            session.ghost(tally.best().map(BestRun::new));
+            isOutdated = false;
+        }
+    }
+
+    /** The level was solved; a ghost on the screen stays until the next try. */
+    void solved() {
+        isOffered = tally.hasRun();
+        isOutdated = true;
+    }
+
+    /** Whether there is a run to be shown, so that its key is offered. */
+    boolean isOffered() {
+        return isOffered;
+    }
+
+    /** Shows it or not, from now on; returns whether there is a run to be shown. */
+    boolean toggle() {
+        if (!isOffered) {
+            return false;
+        }
+        boolean isShown = session.hasGhost();
+        director.settings(director.settings().withGhost(!isShown));
+        session.ghost(isShown ? Optional.empty() : tally.best().map(BestRun::new));
+        isOutdated = isShown;
+        return isShown || session.hasGhost();
+    }
+}
