@@ -51,6 +51,25 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
         return challenge(level).star().isPresent() && done(level).hasStar();
     }
 
+    /** How many levels have a medal as their best. */
+    long medals(Medal medal) {
+        return IntStream.range(0, levels.size())
+                .filter(level -> medal(level).filter(medal::equals).isPresent())
+                .count();
+    }
+
+    /** How many secret stars were found. */
+    long found() {
+        return IntStream.range(0, levels.size()).filter(this::hasStar).count();
+    }
+
+    /** How many levels hide a star. */
+    long hidden() {
+        return IntStream.range(0, levels.size())
+                .filter(level -> challenge(level).star().isPresent())
+                .count();
+    }
+
     long solved() {
         return IntStream.range(0, levels.size()).filter(this::isSolved).count();
     }

@@ -13,12 +13,14 @@ import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
 import rigibo.frontend.scene.widget.Tiles;
 
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The main menu: leads to the game, the levels, the settings and everything else; at the bottom a
- * few RigiBos watch the pointer.
+ * The main menu: leads to the game, the levels, statistics, the settings and everything else; at
+ * the bottom a few RigiBos watch the pointer.
  */
 public final class MenuScene implements Scene {
 
@@ -30,6 +32,7 @@ public final class MenuScene implements Scene {
     private static final double PLAY_HEIGHT = 84;
     private static final double ROW_TOP = PLAY_TOP + PLAY_HEIGHT + GAP;
     private static final double ROW_HEIGHT = 48;
+    private static final int ROW_COUNT = 4;
     private static final double HEADING = 368;
     private static final double CARDS_TOP = 386;
     private static final double CARD_HEIGHT = 46;
@@ -63,7 +66,7 @@ public final class MenuScene implements Scene {
         if (!levels.levels().isEmpty()) {
             laid.add(play(levels));
         }
-        laid.addAll(row());
+        laid.addAll(row(entries));
         quit = laid.size() - 1;
         laid.addAll(cards(entries.stream().filter(entry -> !entry.isLevel()).toList()));
         tiles = new Tiles(laid, 0);
@@ -102,22 +105,22 @@ public final class MenuScene implements Scene {
         Print.centred(canvas, title, tile.middleX(), tile.y() + 64, 18, Color.DUSK_TOP);
     }
 
-    private List<Tile> row() {
-        double width = (BROAD - 2 * GAP) / 3;
+    private List<Tile> row(List<SceneEntry> entries) {
         List<Tile> row = new ArrayList<>();
-        row.add(button(0, width, "menu.levels", director::showLevels));
-        row.add(
-                button(
-                        1,
-                        width,
-                        "menu.settings",
-                        () -> director.show(new SettingsScene(director))));
-        row.add(button(2, width, "menu.quit", director::quit));
+        row.add(button(0, "menu.levels", director::showLevels));
+        row.add(button(1, "menu.statistics", () -> director.show(statistics(entries))));
+        row.add(button(2, "menu.settings", () -> director.show(new SettingsScene(director))));
+        row.add(button(3, "menu.quit", director::quit));
         return row;
     }
 
-    private Tile button(int column, double width, String key, Runnable action) {
-        double x = BROAD_LEFT + column * (width + GAP);
+    private Scene statistics(List<SceneEntry> entries) {
+        return new StatisticsScene(director, entries, LocalDate.now(ZoneOffset.UTC));
+    }
+
+    private Tile button(int column, String key, Runnable action) {
+        double width = (2 * CARD_WIDTH + GAP - (ROW_COUNT - 1) * GAP) / ROW_COUNT;
+        double x = CARDS_LEFT + column * (width + GAP);
         return new Tile(
                 x,
                 ROW_TOP,

@@ -90,11 +90,21 @@ public final class PuzzleScene implements Scene {
         PuzzleGame game = session.game();
         boolean wasRunning = game.outcome() == Outcome.RUNNING;
         table.frame();
-        if (wasRunning && game.outcome() != Outcome.RUNNING && !session.isShowing()) {
-            ended(game);
+        if (wasRunning && !session.isShowing()) {
+            tally.observe(game);
+            if (game.outcome() != Outcome.RUNNING) {
+                ended(game);
+            }
         }
         panels.turn();
         lesson.turn();
+    }
+
+    /** Sees the game before a click, so that the click is counted even in a try's first turn. */
+    private void count() {
+        if (session.own().outcome() == Outcome.RUNNING) {
+            tally.observe(session.own());
+        }
     }
 
     private void ended(PuzzleGame game) {
@@ -149,6 +159,7 @@ public final class PuzzleScene implements Scene {
 
     @Override
     public void closed() {
+        tally.left(session.own());
         panels.close();
         sequel.close();
     }
@@ -171,6 +182,7 @@ public final class PuzzleScene implements Scene {
         } else if (panels.cover(x, y)) {
             panels.press(x, y);
         } else {
+            count();
             table.click(x, y);
         }
     }
@@ -224,6 +236,7 @@ public final class PuzzleScene implements Scene {
 
     /** Clicks what is selected, or presses the selected button. */
     private void enter() {
+        count();
         if (!table.clickChosen()) {
             panels.buttons().flatMap(ButtonRow::chosen).ifPresent(this::run);
         }

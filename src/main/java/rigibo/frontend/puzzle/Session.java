@@ -214,6 +214,11 @@ final class Session {
         return show.map(Playback::game).orElse(own);
     }
 
+    /** The player's own game, shown or not. */
+    PuzzleGame own() {
+        return own;
+    }
+
     Hand hand() {
         return hand;
     }

@@ -6,6 +6,7 @@ import rigibo.frontend.puzzle.replay.ReplayShelf;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Totals;
 
 import java.io.IOException;
 import java.util.Optional;
@@ -20,6 +21,7 @@ final class Tally {
     private final Level level;
     private final Ledger ledger;
     private final Optional<ReplayShelf> shelf;
+    private final PlayCount count = new PlayCount();
 
     private Tally(Director director, Level level, Ledger ledger, Optional<ReplayShelf> shelf) {
         this.director = director;
@@ -42,8 +44,15 @@ final class Tally {
         this(director, level, ledger, Optional.empty());
     }
 
+    /** Looks on, once a turn, while the player's own game is on the screen. */
+    void observe(PuzzleGame game) {
+        count.observe(game);
+    }
+
     /** Records a try that was won or lost. */
     void ended(PuzzleGame game) {
+        count.ended();
+        keepCount();
         if (game.isSolved()) {
             ledger.solved(game);
             shelf.ifPresent(place -> keep(place, game));
@@ -63,8 +72,28 @@ final class Tally {
 
     /** Records a try that was left before its end: a failure, unless nothing was tried. */
     void givenUp(PuzzleGame game) {
-        if (game.outcome() == Outcome.RUNNING && game.clicks() > 0) {
+        if (isLeft(game)) {
             failed(game);
+        }
+        left(game);
+    }
+
+    /** Counts a try that was left, by restarting or by leaving the level; no failure by itself. */
+    void left(PuzzleGame game) {
+        if (isLeft(game)) {
+            count.ended();
+        }
+        keepCount();
+    }
+
+    private static boolean isLeft(PuzzleGame game) {
+        return game.outcome() == Outcome.RUNNING && game.clicks() > 0;
+    }
+
+    private void keepCount() {
+        Totals more = count.taken();
+        if (!more.equals(Totals.NONE)) {
+            director.progress(director.progress().played(more));
         }
     }
 

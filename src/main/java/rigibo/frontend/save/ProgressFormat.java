@@ -4,6 +4,7 @@ import rigibo.frontend.document.Value;
 import rigibo.frontend.scene.DayResult;
 import rigibo.frontend.scene.LevelProgress;
 import rigibo.frontend.scene.Progress;
+import rigibo.frontend.scene.Totals;
 
 import tools.jackson.databind.node.ObjectNode;
 
@@ -36,7 +37,22 @@ final class ProgressFormat implements Format<Progress> {
             levels.put(id, level(all.required(id).object()));
         }
         return new Progress(
-                levels, days(json.optional("days")), json.optional("endless").whole(1, MOST, 1));
+                levels,
+                days(json.optional("days")),
+                json.optional("endless").whole(1, MOST, 1),
+                totals(json.optional("totals")));
+    }
+
+    /** Totals, which files before them do not have. */
+    private static Totals totals(Value json) {
+        if (!json.isThere()) {
+            return Totals.NONE;
+        }
+        Value all = json.object();
+        return new Totals(
+                all.required("tries").whole(0, MOST, 0),
+                all.required("clicks").whole(0, MOST, 0),
+                all.required("steps").whole(0, MOST, 0));
     }
 
     /** The results of days, which files before them do not have. */
@@ -111,6 +127,10 @@ final class ProgressFormat implements Format<Progress> {
                                         .put("clicks", result.clicks())
                                         .put("steps", result.steps()));
         json.put("endless", progress.endless());
+        json.putObject("totals")
+                .put("tries", progress.totals().tries())
+                .put("clicks", progress.totals().clicks())
+                .put("steps", progress.totals().steps());
     }
 
     private static void write(LevelProgress level, ObjectNode json) {
@@ -123,8 +143,10 @@ final class ProgressFormat implements Format<Progress> {
         }
     }
 
+    /** Of what both games count, the file gets what was added here. */
     @Override
     public Progress merged(Progress before, Progress onDisk, Progress own) {
-        return own.with(onDisk);
+        Totals added = own.totals().since(before.totals());
+        return own.with(onDisk).withTotals(onDisk.totals().plus(added));
     }
 }

@@ -12,11 +12,13 @@ import java.util.TreeMap;
  * @param levels by the level's id, in its order
  * @param days the best game at the level of each day that was solved, by its date
  * @param endless number of the endless level that is next, from 1
+ * @param totals of all levels together
  */
 public record Progress(
         SortedMap<String, LevelProgress> levels,
         SortedMap<LocalDate, DayResult> days,
-        int endless) {
+        int endless,
+        Totals totals) {
 
     public Progress {
         if (endless < 1) {
@@ -29,7 +31,8 @@ public record Progress(
 
     /** Nothing yet. */
     public static Progress none() {
-        return new Progress(Collections.emptySortedMap(), Collections.emptySortedMap(), 1);
+        return new Progress(
+                Collections.emptySortedMap(), Collections.emptySortedMap(), 1, Totals.NONE);
     }
 
     /**
@@ -61,27 +64,40 @@ public record Progress(
     private Progress with(String id, LevelProgress level) {
         SortedMap<String, LevelProgress> changed = new TreeMap<>(levels);
         changed.put(id, level);
-        return new Progress(changed, days, endless);
+        return new Progress(changed, days, endless, totals);
     }
 
     /** After a game that solved the level of a day. */
     public Progress solvedDay(LocalDate date, DayResult result) {
         SortedMap<LocalDate, DayResult> changed = new TreeMap<>(days);
         changed.merge(date, result, DayResult::best);
-        return new Progress(levels, changed, endless);
+        return new Progress(levels, changed, endless, totals);
     }
 
     /** After the endless level before a number; what lies behind is not gone back to. */
     public Progress endless(int next) {
-        return new Progress(levels, days, Math.max(endless, next));
+        return new Progress(levels, days, Math.max(endless, next), totals);
     }
 
-    /** Together with what was done elsewhere. */
+    /** After more of everything that is counted in all levels together. */
+    public Progress played(Totals more) {
+        return withTotals(totals.plus(more));
+    }
+
+    /** Returns this progress with other totals. */
+    public Progress withTotals(Totals other) {
+        return new Progress(levels, days, endless, other);
+    }
+
+    /**
+     * Together with what was done elsewhere; totals are left as they are here, for both may count
+     * the same tries.
+     */
     public Progress with(Progress other) {
         SortedMap<String, LevelProgress> all = new TreeMap<>(levels);
         other.levels.forEach((id, level) -> all.merge(id, level, LevelProgress::with));
         SortedMap<LocalDate, DayResult> allDays = new TreeMap<>(days);
         other.days.forEach((date, result) -> allDays.merge(date, result, DayResult::best));
-        return new Progress(all, allDays, Math.max(endless, other.endless));
+        return new Progress(all, allDays, Math.max(endless, other.endless), totals);
     }
 }

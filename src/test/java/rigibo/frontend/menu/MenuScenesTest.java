@@ -149,10 +149,18 @@ class MenuScenesTest {
         press(new MenuScene(director, Entries.all(6)), Key.DOWN, Key.DOWN, Key.DOWN, Key.ENTER);
         assertThat(shown()).isIn("wheel", "crate", "friction", "flood");
         press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.TAB, Key.ENTER);
+        assertThat(shown()).isEqualTo("RigiBo – Statistics");
+        press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.TAB, Key.TAB, Key.ENTER);
         assertThat(shown()).isEqualTo("RigiBo – Settings");
         press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.ENTER);
         assertThat(director.asked).containsExactly("levels");
-        press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.TAB, Key.TAB, Key.ENTER);
+        press(
+                new MenuScene(director, Entries.all(6)),
+                Key.TAB,
+                Key.TAB,
+                Key.TAB,
+                Key.TAB,
+                Key.ENTER);
         assertThat(director.asked).containsExactly("levels", "quit");
     }
 

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rigibo.frontend.scene.DayResult;
 import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.Totals;
 import rigibo.frontend.scene.Words;
 
 import java.io.IOException;
@@ -29,7 +30,8 @@ class SavedPlayerTest {
                     .failed("tilt", 7)
                     .starred("tilt", 7)
                     .solvedDay(LocalDate.of(2026, 11, 27), new DayResult(2, 900))
-                    .endless(12);
+                    .endless(12)
+                    .played(new Totals(3, 7, 5000));
 
     @TempDir Path folder;
 

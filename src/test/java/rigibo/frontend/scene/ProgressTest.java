@@ -96,10 +96,22 @@ class ProgressTest {
     }
 
     @Test
+    void totalsGrowAndStopAtTheLargestNumber() {
+        Totals some = new Totals(1, 2, 3).plus(new Totals(10, 20, 30));
+        assertThat(some).isEqualTo(new Totals(11, 22, 33));
+        assertThat(some.since(new Totals(1, 2, 3))).isEqualTo(new Totals(10, 20, 30));
+        Totals most = new Totals(0, 0, Integer.MAX_VALUE);
+        assertThat(most.plus(some).steps()).isEqualTo(Integer.MAX_VALUE);
+        assertThat(Progress.none().played(some).played(some).totals())
+                .isEqualTo(new Totals(22, 44, 66));
+    }
+
+    @Test
     void refusesWhatCannotBe() {
+        assertThatThrownBy(() -> new Totals(0, -1, 0)).hasMessageContaining("-1 clicks");
         assertThatThrownBy(() -> new DayResult(0, 1)).hasMessageContaining("clicks");
         assertThatThrownBy(() -> new DayResult(1, 0)).hasMessageContaining("steps");
-        assertThatThrownBy(() -> new Progress(new TreeMap<>(), new TreeMap<>(), 0))
+        assertThatThrownBy(() -> new Progress(new TreeMap<>(), new TreeMap<>(), 0, Totals.NONE))
                 .hasMessageContaining("endless");
         assertThatThrownBy(() -> new LevelProgress(HASH, true, OptionalInt.of(-1), 0, false))
                 .hasMessageContaining("fewestClicks");
