@@ -52,6 +52,14 @@ public final class SettingsScene implements Scene {
                         5,
                         () -> 100 * settings().volume(),
                         percent -> choose(settings().withVolume(percent / 100))),
+                new Slider(
+                        words.of("settings.music"),
+                        "%.0f %%",
+                        0,
+                        100,
+                        5,
+                        () -> 100 * settings().music(),
+                        percent -> choose(settings().withMusic(percent / 100))),
                 new Toggle(
                         words.of("settings.mute"),
                         () -> settings().isMuted(),

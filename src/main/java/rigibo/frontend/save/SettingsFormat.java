@@ -22,7 +22,8 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
                 json.optional("motion").word(Settings.Motion.class, initial.motion()),
                 json.optional("detail").word(Settings.Detail.class, initial.detail()),
                 json.optional("fullScreen").truth(initial.isFullScreen()),
-                json.optional("ghost").truth(initial.hasGhost()));
+                json.optional("ghost").truth(initial.hasGhost()),
+                json.optional("music").number(0, 1, initial.music()));
     }
 
     @Override
@@ -34,6 +35,7 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
         json.put("detail", settings.detail().name().toLowerCase(Locale.ROOT));
         json.put("fullScreen", settings.isFullScreen());
         json.put("ghost", settings.hasGhost());
+        json.put("music", settings.music());
     }
 
     @Override
@@ -45,7 +47,8 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
                 later(before, onDisk, own, Settings::motion),
                 later(before, onDisk, own, Settings::detail),
                 later(before, onDisk, own, Settings::isFullScreen),
-                later(before, onDisk, own, Settings::hasGhost));
+                later(before, onDisk, own, Settings::hasGhost),
+                later(before, onDisk, own, Settings::music));
     }
 
     /** Our own choice where one was made since, for it is the latest; else what the file has. */

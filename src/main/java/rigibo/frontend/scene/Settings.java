@@ -12,6 +12,7 @@ import java.util.Set;
  * @param detail how much detail is drawn
  * @param isFullScreen whether windows fill the screen
  * @param hasGhost whether the best run of a level is shown beside the game
+ * @param music volume of the music beside all other sounds, 0 to 1; 0 for none
  */
 public record Settings(
         String language,
@@ -20,7 +21,8 @@ public record Settings(
         Motion motion,
         Detail detail,
         boolean isFullScreen,
-        boolean hasGhost) {
+        boolean hasGhost,
+        double music) {
 
     /** The languages there are words in, as ISO 639 names them. */
     public static final Set<String> LANGUAGES = Set.of("en", "de");
@@ -49,46 +51,58 @@ public record Settings(
         if (!(volume >= 0 && volume <= 1)) {
             throw new IllegalArgumentException("Settings.volume must be 0 to 1, was " + volume);
         }
+        if (!(music >= 0 && music <= 1)) {
+            throw new IllegalArgumentException("Settings.music must be 0 to 1, was " + music);
+        }
     }
 
     /** What holds before anything was chosen, in the system's language where we have it. */
     public static Settings initial(String systemLanguage) {
         String language = LANGUAGES.contains(systemLanguage) ? systemLanguage : "en";
-        return new Settings(language, 0.7, false, Motion.FULL, Detail.AUTOMATIC, false, false);
+        return new Settings(language, 0.7, false, Motion.FULL, Detail.AUTOMATIC, false, false, 0.5);
     }
 
     /** Returns these settings with another language. */
     public Settings withLanguage(String other) {
-        return new Settings(other, volume, isMuted, motion, detail, isFullScreen, hasGhost);
+        return new Settings(other, volume, isMuted, motion, detail, isFullScreen, hasGhost, music);
     }
 
     /** Returns these settings with another volume, 0 to 1. */
     public Settings withVolume(double other) {
-        return new Settings(language, other, isMuted, motion, detail, isFullScreen, hasGhost);
+        return new Settings(
+                language, other, isMuted, motion, detail, isFullScreen, hasGhost, music);
     }
 
     /** Returns these settings with sound or without. */
     public Settings withMuted(boolean other) {
-        return new Settings(language, volume, other, motion, detail, isFullScreen, hasGhost);
+        return new Settings(language, volume, other, motion, detail, isFullScreen, hasGhost, music);
     }
 
     /** Returns these settings with another amount of motion. */
     public Settings withMotion(Motion other) {
-        return new Settings(language, volume, isMuted, other, detail, isFullScreen, hasGhost);
+        return new Settings(
+                language, volume, isMuted, other, detail, isFullScreen, hasGhost, music);
     }
 
     /** Returns these settings with another amount of detail. */
     public Settings withDetail(Detail other) {
-        return new Settings(language, volume, isMuted, motion, other, isFullScreen, hasGhost);
+        return new Settings(
+                language, volume, isMuted, motion, other, isFullScreen, hasGhost, music);
     }
 
     /** Returns these settings for windows or the full screen. */
     public Settings withFullScreen(boolean other) {
-        return new Settings(language, volume, isMuted, motion, detail, other, hasGhost);
+        return new Settings(language, volume, isMuted, motion, detail, other, hasGhost, music);
     }
 
     /** Returns these settings with the ghost of the best run or without. */
     public Settings withGhost(boolean other) {
-        return new Settings(language, volume, isMuted, motion, detail, isFullScreen, other);
+        return new Settings(language, volume, isMuted, motion, detail, isFullScreen, other, music);
+    }
+
+    /** Returns these settings with another volume of the music, 0 to 1. */
+    public Settings withMusic(double other) {
+        return new Settings(
+                language, volume, isMuted, motion, detail, isFullScreen, hasGhost, other);
     }
 }

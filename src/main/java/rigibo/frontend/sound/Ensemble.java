@@ -18,28 +18,30 @@ final class Ensemble {
     private static final int SIGNALLING_VOICES = 4;
 
     /** The voices that a device is asked for. */
-    static final int VOICES = KNOCKING_VOICES + SIGNALLING_VOICES;
+    static final int VOICES = KNOCKING_VOICES + SIGNALLING_VOICES + Music.VOICES;
 
     /**
      * What knocks and signals may be of full scale, each for themselves, so that a signal is heard
-     * in any noise; together with what rolls they are 1.
+     * in any noise; together with what rolls and with the music they are 1.
      */
-    private static final double MOST_KNOCKING = 0.45;
+    private static final double MOST_KNOCKING = 0.38;
 
-    private static final double MOST_SIGNALLING = 1 - MOST_KNOCKING - Rolling.MOST;
+    private static final double MOST_SIGNALLING = 1 - MOST_KNOCKING - Rolling.MOST - Music.MOST;
 
     private final Device device;
     private final Samples samples;
     private final Voices knocking = new Voices(KNOCKING_VOICES, MOST_KNOCKING);
     private final Voices signalling = new Voices(SIGNALLING_VOICES, MOST_SIGNALLING);
     private final Rolling rolling = new Rolling();
+    private final Music music;
     private final PriorityQueue<Knock> loudest =
             new PriorityQueue<>(Comparator.comparingDouble(Knock::gain));
 
-    /** Plays samples that the device has. */
-    Ensemble(Device device, Samples samples) {
+    /** Plays samples that the device has, and a score where it is asked to. */
+    Ensemble(Device device, Samples samples, Score score) {
         this.device = device;
         this.samples = samples;
+        music = new Music(score, samples);
     }
 
     /** A knock, to be played with the turn unless that has louder ones. */
@@ -73,6 +75,19 @@ final class Ensemble {
         device.roll(rolling.gain(), rolling.pitch());
         knocking.advance(Scene.STEP);
         signalling.advance(Scene.STEP);
+    }
+
+    /**
+     * Goes on with the music by some time, s; without a call it stands still.
+     *
+     * @param volume of it beside all else, more than 0 to 1
+     */
+    void music(double seconds, double volume) {
+        music.advance(seconds, volume, this::playNote);
+    }
+
+    private void playNote(int voice, Sample sample, double gain, double pitch) {
+        device.play(KNOCKING_VOICES + SIGNALLING_VOICES + voice, sample, gain, pitch);
     }
 
     private void play(Knock knock) {

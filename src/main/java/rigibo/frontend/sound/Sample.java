@@ -18,6 +18,9 @@ final class Sample {
     /** How long a sample may be, s. */
     private static final double LONGEST = 1.5;
 
+    /** How long a note of the music may ring, s. */
+    private static final double LONGEST_NOTE = 3;
+
     /** How long the ends take, s: too short to be heard as a change, too long for a click. */
     private static final double FADE_IN = 0.0005;
 
@@ -44,8 +47,17 @@ final class Sample {
      * @param hiss amplitude of the noise they begin with, beside theirs; 0 for none
      */
     static Sample of(List<Tone> tones, double hiss) {
+        return of(tones, hiss, LONGEST);
+    }
+
+    /** Tones together that may ring on, as music does. */
+    static Sample ringing(List<Tone> tones) {
+        return of(tones, 0, LONGEST_NOTE);
+    }
+
+    private static Sample of(List<Tone> tones, double hiss, double longest) {
         double seconds = tones.stream().mapToDouble(Tone::end).max().orElseThrow();
-        double[] wave = new double[(int) (Math.min(LONGEST, seconds) * RATE)];
+        double[] wave = new double[(int) (Math.min(longest, seconds) * RATE)];
         tones.forEach(tone -> tone.addTo(wave));
         addHiss(wave, hiss);
         fade(wave);

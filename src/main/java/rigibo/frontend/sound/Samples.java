@@ -12,6 +12,7 @@ final class Samples {
 
     private final Map<Skin, Sample> knocks = new EnumMap<>(Skin.class);
     private final Map<Signal, Sample> signals = new EnumMap<>(Signal.class);
+    private final Map<Instrument, Sample> instruments = new EnumMap<>(Instrument.class);
     private final Sample rolling = Rolling.sample();
 
     Samples() {
@@ -20,6 +21,9 @@ final class Samples {
         }
         for (Signal signal : Signal.values()) {
             signals.put(signal, signal.sample());
+        }
+        for (Instrument instrument : Instrument.values()) {
+            instruments.put(instrument, instrument.sample());
         }
     }
 
@@ -31,6 +35,10 @@ final class Samples {
         return signals.get(signal);
     }
 
+    Sample instrument(Instrument instrument) {
+        return instruments.get(instrument);
+    }
+
     Sample rolling() {
         return rolling;
     }
@@ -39,6 +47,7 @@ final class Samples {
     Collection<Sample> all() {
         Collection<Sample> all = new LinkedHashSet<>(knocks.values());
         all.addAll(signals.values());
+        all.addAll(instruments.values());
         all.add(rolling);
         return all;
     }

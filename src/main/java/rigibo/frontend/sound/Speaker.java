@@ -20,12 +20,20 @@ public final class Speaker implements Sounds {
     /** How much higher the last tick of a hold is than the first: an octave. */
     private static final double RISE_OF_TICKS = 1;
 
+    /**
+     * Most time that music goes on by in a turn, s: after a pause of the loop its notes do not come
+     * all at once.
+     */
+    private static final double LONGEST_TURN = 0.25;
+
     /** How long a device that still opens is waited for at the end, s. */
     private static final int PATIENCE = 2;
 
     private CompletableFuture<Optional<Ensemble>> opening =
             CompletableFuture.completedFuture(Optional.empty());
     private double volume;
+    private double musicVolume;
+    private long lastTurn = System.nanoTime();
 
     /** Begins to open the system's audio device; says so in the log where that fails. */
     public void plugIn() {
@@ -39,7 +47,8 @@ public final class Speaker implements Sounds {
     private static Optional<Ensemble> open() {
         try {
             Samples samples = new Samples();
-            return Optional.of(new Ensemble(Device.open(samples, Ensemble.VOICES), samples));
+            Device device = Device.open(samples, Ensemble.VOICES);
+            return Optional.of(new Ensemble(device, samples, new Score(System.nanoTime())));
         } catch (IllegalStateException | LinkageError noSound) {
             Logger.warn("The game is silent: {}.", noSound.getMessage());
             return Optional.empty();
@@ -53,17 +62,24 @@ public final class Speaker implements Sounds {
     /** As loud as the player has chosen, from now on. */
     public void settings(Settings settings) {
         volume = settings.isMuted() ? 0 : settings.volume();
+        musicVolume = settings.music();
         ensemble().ifPresent(ensemble -> ensemble.volume(volume));
     }
 
     /** Goes on by a turn of the loop, after the scene's step: what that told is heard. */
     public void turn() {
-        ensemble().ifPresent(this::turn);
+        long now = System.nanoTime();
+        double seconds = Math.min(LONGEST_TURN, (now - lastTurn) / 1e9);
+        lastTurn = now;
+        ensemble().ifPresent(ensemble -> turn(ensemble, seconds));
     }
 
-    private void turn(Ensemble ensemble) {
+    private void turn(Ensemble ensemble, double seconds) {
         ensemble.volume(volume);
         ensemble.turn();
+        if (volume > 0 && musicVolume > 0) {
+            ensemble.music(seconds, musicVolume);
+        }
     }
 
     /**

@@ -258,12 +258,14 @@ class MenuScenesTest {
     void everySettingIsChangedByKeysAlone() {
         SettingsScene scene = new SettingsScene(director);
         press(scene, Key.DOWN, Key.DOWN, Key.LEFT);
+        press(scene, Key.DOWN, Key.LEFT);
         press(scene, Key.DOWN, Key.ENTER);
         press(scene, Key.DOWN, Key.ENTER);
         press(scene, Key.DOWN, Key.RIGHT);
         press(scene, Key.DOWN, Key.ENTER);
         Settings settings = director.settings();
         assertThat(settings.volume()).isCloseTo(0.65, within(1e-12));
+        assertThat(settings.music()).isCloseTo(0.45, within(1e-12));
         assertThat(settings.isMuted()).isTrue();
         assertThat(settings.motion()).isEqualTo(Settings.Motion.REDUCED);
         assertThat(settings.detail()).isEqualTo(Settings.Detail.FULL);

@@ -82,7 +82,8 @@ class SavedPlayerTest {
                         .withMotion(Settings.Motion.REDUCED)
                         .withDetail(Settings.Detail.LITE)
                         .withFullScreen(true)
-                        .withGhost(true);
+                        .withGhost(true)
+                        .withMusic(0.15);
         try (SavedPlayer player = start()) {
             player.settings(chosen);
             player.progress(TWO);

@@ -29,7 +29,8 @@ class EnsembleTest {
     private final Samples samples = new Samples();
     private final long handle = alcLoopbackOpenDeviceSOFT((ByteBuffer) null);
     private final Ensemble ensemble =
-            new Ensemble(new Device(handle, format(), samples, Ensemble.VOICES), samples);
+            new Ensemble(
+                    new Device(handle, format(), samples, Ensemble.VOICES), samples, new Score(1));
     private final FloatBuffer frames = BufferUtils.createFloatBuffer(2 * FRAMES_PER_TURN);
 
     private static int[] format() {
@@ -121,9 +122,23 @@ class EnsembleTest {
             }
             ensemble.roll(20);
             ensemble.signal(signals[turn % signals.length], 1);
+            ensemble.music(1.0 / 60, 1);
             most = Math.max(most, turn());
         }
         assertThat(most).isBetween(0.2f, 1f);
+    }
+
+    @Test
+    void musicIsHeardUnderAllElseAndStandsStillUnlessItIsAskedFor() {
+        float most = 0;
+        for (int turn = 0; turn < 900; turn++) {
+            ensemble.music(1.0 / 60, 1);
+            most = Math.max(most, turn());
+        }
+        assertThat(most).isBetween(0.02f, (float) Music.MOST);
+        // Three seconds of the longest sample, played as slow as the lowest tone asks.
+        turns(300);
+        assertThat(turns(60)).isLessThan(SILENT);
     }
 
     @Test

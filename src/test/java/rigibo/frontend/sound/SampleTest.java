@@ -24,6 +24,9 @@ class SampleTest {
         for (Signal signal : Signal.values()) {
             samples.add(signal.sample());
         }
+        for (Instrument instrument : Instrument.values()) {
+            samples.add(instrument.sample());
+        }
         return samples;
     }
 
