@@ -1,13 +1,11 @@
 package rigibo.frontend.puzzle;
 
-import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
-import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
@@ -36,12 +34,6 @@ final class MadeLevelScene implements Scene {
     private static final double RESULTS_HEAD = 28;
     private static final double ROW = 30;
     private static final int MOST_ROWS = 7;
-
-    /** Dots that come one after the other while the level is being made. */
-    private static final int DOTS = 3;
-
-    private static final int DOT_STEPS = Steps.of(0.5);
-    private static final double DOT_PITCH = 26;
 
     private final Director director;
     private final Words words;
@@ -128,18 +120,8 @@ final class MadeLevelScene implements Scene {
     }
 
     private void drawNote(Canvas canvas) {
-        double middle = WIDTH / 2.0;
         double y = PICTURE_TOP + PICTURE_SIZE / 2;
-        if (making.isHopeless()) {
-            Print.centred(canvas, words.of("made.none"), middle, y, 18, Color.TEXT);
-            return;
-        }
-        Print.centred(canvas, words.of("made.making"), middle, y - 16, 18, Color.TEXT);
-        boolean isStill = director.settings().motion() == Motion.REDUCED;
-        int shown = isStill ? DOTS : steps / DOT_STEPS % (DOTS + 1);
-        for (int i = 0; i < shown; i++) {
-            canvas.disc(middle + (i - (DOTS - 1) / 2.0) * DOT_PITCH, y + 20, 6, Color.BRASS);
-        }
+        MakingNote.draw(canvas, words, making, y, steps, director.settings().motion());
     }
 
     private void drawResults(Canvas canvas) {

@@ -28,6 +28,7 @@ public final class PlayerFiles {
     private final List<Level> levels = new ArrayList<>();
     private final List<Problem> errors = new ArrayList<>();
     private Optional<Recording> recording = Optional.empty();
+    private Optional<UnmadeReplay> unmade = Optional.empty();
 
     private PlayerFiles() {}
 
@@ -73,7 +74,7 @@ public final class PlayerFiles {
     private void add(ShareCode code) {
         switch (code.kind()) {
             case LEVEL -> add(new LevelLoader().parse(ShareCode.NAME, code.text()));
-            case REPLAY -> add(new ReplayLoader(Levels.all()).parse(ShareCode.NAME, code.text()));
+            case REPLAY -> add(ShareCode.NAME, code.text(), new ReplayLoader(Levels.all()));
         }
     }
 
@@ -96,11 +97,16 @@ public final class PlayerFiles {
     private void addReplays(List<Pack.Entry> files) {
         List<Level> known = Stream.concat(levels.stream(), Levels.all().stream()).toList();
         ReplayLoader loader = new ReplayLoader(known);
-        files.stream().map(file -> loader.parse(file.name(), file.text())).forEach(this::add);
+        files.forEach(file -> add(file.name(), file.text(), loader));
     }
 
-    private void add(LoadedReplay loaded) {
-        errors.addAll(loaded.problems());
+    private void add(String name, String text, ReplayLoader loader) {
+        LoadedReplay loaded = loader.parse(name, text);
+        if (loaded.lacksItsLevelAlone()) {
+            unmade = loaded.unmade().map(origin -> new UnmadeReplay(name, text, origin));
+        } else {
+            errors.addAll(loaded.problems());
+        }
         recording = recording.or(loaded::recording);
     }
 
@@ -120,10 +126,14 @@ public final class PlayerFiles {
      * A film of the replay, or of how the first level can be solved.
      *
      * @throws IllegalArgumentException with all that is wrong with the files, or when the level has
-     *     no solution
+     *     no solution, or has to be made first
      */
     public Function<Director, Scene> film() {
         sound();
+        if (recording.isEmpty() && unmade.isPresent()) {
+            String name = unmade.get().name();
+            throw new IllegalArgumentException(name + ": its level has to be made first");
+        }
         return recording.map(Films::of).orElseGet(() -> Films.of(levels.get(0)));
     }
 
@@ -135,6 +145,7 @@ public final class PlayerFiles {
         return recording
                 .<Scene>map(
                         watched -> new ReplayScene(director, watched, ReplayScene.Audience.PLAYER))
+                .or(() -> unmade.map(replay -> new MadeReplayScene(director, replay)))
                 .orElseGet(() -> new PuzzleScene(director, levels, 0));
     }
 }

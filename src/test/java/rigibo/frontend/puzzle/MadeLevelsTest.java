@@ -8,17 +8,29 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.document.Problems;
+import rigibo.frontend.document.ShareCode;
+import rigibo.frontend.puzzle.generate.Generator;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Origin;
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.replay.Recordings;
+import rigibo.frontend.puzzle.replay.ReplayCode;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Playback;
 import rigibo.frontend.puzzle.rules.Replay;
 import rigibo.frontend.scene.DayResult;
+import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
 
 import java.time.Clock;
 import java.time.Instant;
@@ -136,6 +148,77 @@ class MadeLevelsTest {
         making.await();
         MadeLevelScene scene = new MadeLevelScene(director, FIRST, making);
         assertThat(RecordingCanvas.of(scene).texts()).contains("No level could be made");
+        scene.keyPressed(Key.ENTER);
+        assertThat(director.asked).containsExactly("levels");
+    }
+
+    private static JsonNode replay() {
+        Level level = done.made().orElseThrow().level();
+        Recording run = Recordings.of(level.called("mine", level.title()), Accuracy.GAME);
+        String code = ReplayCode.of(run).orElseThrow();
+        String text = ShareCode.read(code, new Problems("code")).orElseThrow().text();
+        return JsonMapper.shared().readTree(text);
+    }
+
+    private Scene pasted(JsonNode replay) {
+        String code = ShareCode.of(ShareCode.Kind.REPLAY, replay).orElseThrow();
+        return PlayerFiles.pasted(director, code).orElseThrow();
+    }
+
+    private MadeReplayScene waiting(JsonNode replay, Making making) {
+        Origin origin = done.made().orElseThrow().level().origin().orElseThrow();
+        return new MadeReplayScene(
+                director, new UnmadeReplay("code", replay.toString(), origin), making);
+    }
+
+    /** The receiver has neither the level nor its name, only what it is made from. */
+    @Test
+    void replayOfAMadeLevelIsWatchedOnceItsLevelIsMade() {
+        Scene scene = pasted(replay());
+        assertThat(scene).isInstanceOf(MadeReplayScene.class);
+        scene.step();
+        assertThat(RecordingCanvas.of(scene).texts()).contains("The level is being made");
+        scene.closed();
+        waiting(replay(), done).step();
+        assertThat(last()).isInstanceOf(ReplayScene.class);
+        Demonstration show = last().demonstration().orElseThrow();
+        for (int turn = 0; turn < 3600 && !show.isOver(); turn++) {
+            last().step();
+        }
+        assertThat(show.hasSucceeded()).as("the same to the last bit").isTrue();
+    }
+
+    @Test
+    void replayOfAnotherGeneratorIsToldAndNotPlayedInAnotherLevel() {
+        JsonNode other = replay();
+        ((ObjectNode) other.at("/level/made")).put("generator", Generator.VERSION + 1);
+        assertThat(String.join(" ", RecordingCanvas.of(pasted(other)).texts()))
+                .contains("by version 2 of the generator; this is version 1");
+    }
+
+    @Test
+    void replayOfALevelThatIsMadeOtherwiseIsRefused() {
+        JsonNode altered = replay();
+        ((ObjectNode) altered.at("/level")).put("hash", "0123456789abcdef");
+        waiting(altered, done).step();
+        assertThat(String.join(" ", RecordingCanvas.of(last()).texts())).contains("was altered");
+    }
+
+    @Test
+    void replayWithAnUnsoundSeedIsRefusedAtOnce() {
+        JsonNode unsound = replay();
+        ((ObjectNode) unsound.at("/level/made")).put("seed", -1);
+        assertThat(pasted(unsound)).isInstanceOf(ProblemsScene.class);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void waitingForALevelCanBeRead(String language) throws InterruptedException {
+        director.settings(director.settings().withLanguage(language));
+        Making hopeless = Making.begin(NO_SEEDS);
+        hopeless.await();
+        MadeReplayScene scene = waiting(replay(), hopeless);
+        assertThat(Legibility.faults(scene)).isEmpty();
         scene.keyPressed(Key.ENTER);
         assertThat(director.asked).containsExactly("levels");
     }

@@ -4,11 +4,18 @@ import rigibo.frontend.puzzle.check.Figures;
 import rigibo.frontend.puzzle.check.Sieve;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
+import rigibo.frontend.puzzle.level.Origin;
 
 import java.util.Optional;
 
 /** Makes the level of a seed: tries plan after plan until one is a puzzle. */
 public final class Generator {
+
+    /**
+     * Version of the generator: one more whenever a seed gets another level than before, so that a
+     * replay of the former level is told from one of the present.
+     */
+    public static final int VERSION = 1;
 
     /** Plans tried with a seed before it is given up: it has no level then, on any machine. */
     private static final int ATTEMPTS = 100;
@@ -47,8 +54,8 @@ public final class Generator {
             if (figures.isPresent()) {
                 Generated.Effort effort =
                         new Generated.Effort(attempt + 1, sieve.games(), sieve.steps());
-                return Optional.of(
-                        new Generated(draft.get().text, draft.get().level, figures.get(), effort));
+                Level level = draft.get().level.madeFrom(new Origin(seed, VERSION));
+                return Optional.of(new Generated(draft.get().text, level, figures.get(), effort));
             }
         }
         return Optional.empty();

@@ -19,6 +19,7 @@ import java.util.stream.Stream;
  * @param joints between them, in the file's order
  * @param solutions clicks known to win
  * @param star the secret one, where there is one
+ * @param origin what it was made from, if it was made by chance
  */
 public record Level(
         String id,
@@ -31,7 +32,8 @@ public record Level(
         List<LevelBody> bodies,
         List<LevelJoint> joints,
         List<Solution> solutions,
-        Optional<Star> star) {
+        Optional<Star> star,
+        Optional<Origin> origin) {
 
     public Level {
         balls = List.copyOf(balls);
@@ -53,7 +55,25 @@ public record Level(
                 bodies,
                 joints,
                 solutions,
-                star);
+                star,
+                origin);
+    }
+
+    /** Returns this level as one that was made; that does not count for its hash either. */
+    public Level madeFrom(Origin seed) {
+        return new Level(
+                id,
+                title,
+                hint,
+                world,
+                limits,
+                balls,
+                platform,
+                bodies,
+                joints,
+                solutions,
+                star,
+                Optional.of(seed));
     }
 
     /** A 64-bit hash of all that play depends on; texts, solutions and star do not count. */
@@ -112,6 +132,7 @@ public record Level(
                 shifted,
                 joints,
                 solutions,
-                star);
+                star,
+                origin);
     }
 }

@@ -65,7 +65,8 @@ record LevelSketch(
                 bodies.stream().map(Located::part).toList(),
                 joints.stream().map(Located::part).toList(),
                 solutions.stream().map(Located::part).toList(),
-                star.map(Located::part));
+                star.map(Located::part),
+                Optional.empty());
     }
 
     /** All clicks that are said to win: the solutions, and the star's. */

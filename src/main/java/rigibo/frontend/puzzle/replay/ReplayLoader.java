@@ -6,7 +6,9 @@ import rigibo.frontend.document.FormatRule;
 import rigibo.frontend.document.JsonSchema;
 import rigibo.frontend.document.Problems;
 import rigibo.frontend.document.Suggestion;
+import rigibo.frontend.puzzle.generate.Generator;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Origin;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.Replay;
@@ -59,34 +61,43 @@ public final class ReplayLoader {
         return loaded(Document.parse(text, problems), problems);
     }
 
-    private LoadedReplay loaded(Optional<Document> document, Problems problems) {
-        Optional<Recording> recording = document.flatMap(this::read);
-        OptionalInt otherRevision =
-                document.map(ReplayLoader::otherRevision).orElse(OptionalInt.empty());
-        return new LoadedReplay(recording, otherRevision, problems.inOrder());
+    /** What a document holds; a recording, or the origin of a level without which there is none. */
+    private record Found(Optional<Recording> recording, Optional<Origin> unmade) {
+
+        static final Found NOTHING = new Found(Optional.empty(), Optional.empty());
     }
 
-    private Optional<Recording> read(Document json) {
+    private LoadedReplay loaded(Optional<Document> document, Problems problems) {
+        Found found = document.map(this::read).orElse(Found.NOTHING);
+        OptionalInt otherRevision =
+                document.map(ReplayLoader::otherRevision).orElse(OptionalInt.empty());
+        return new LoadedReplay(found.recording, otherRevision, found.unmade, problems.inOrder());
+    }
+
+    private Found read(Document json) {
         if (FormatRule.isNewer(json, FORMAT)) {
-            return Optional.empty();
+            return Found.NOTHING;
         }
         OptionalInt otherRevision = otherRevision(json);
         otherRevision.ifPresent(revision -> tellRevision(revision, json));
         if (isWithoutRevision(json) || !schema.admits(json)) {
-            return Optional.empty();
+            return Found.NOTHING;
         }
         ReplaySketch sketch = new ReplaySketch(json);
-        Optional<Level> level = level(json);
+        Optional<Origin> origin = sketch.origin();
+        Optional<Level> level = origin.isPresent() ? madeLevel(origin.get(), json) : level(json);
         OptionalLong hash = sketch.hash("/level/hash");
         level.ifPresent(found -> requireUnaltered(found, hash, json));
         List<Checkpoint> checkpoints = sketch.checkpoints();
         int end = checkpoints.isEmpty() ? Integer.MAX_VALUE : last(checkpoints).step();
         List<Act> acts = sketch.acts(end);
         if (json.hasErrors()) {
-            return Optional.empty();
+            return new Found(Optional.empty(), level.isPresent() ? Optional.empty() : origin);
         }
         Replay replay = new Replay(hash.orElseThrow(), acts, sketch.accuracy());
-        return Optional.of(new Recording(level.orElseThrow(), replay, checkpoints));
+        return new Found(
+                Optional.of(new Recording(level.orElseThrow(), replay, checkpoints)),
+                Optional.empty());
     }
 
     private static Checkpoint last(List<Checkpoint> checkpoints) {
@@ -120,6 +131,30 @@ public final class ReplayLoader {
                                 + "; this is revision "
                                 + Pool.REVISION
                                 + ", in which bodies move otherwise: it is kept, and not played");
+    }
+
+    private Optional<Level> madeLevel(Origin origin, Document json) {
+        Optional<Level> level =
+                levels.stream().filter(one -> one.origin().equals(Optional.of(origin))).findFirst();
+        if (level.isEmpty()) {
+            json.error(
+                    ReplaySketch.MADE,
+                    () ->
+                            "belongs to the level of seed "
+                                    + origin.seed()
+                                    + (origin.generator() == Generator.VERSION
+                                            ? ", which has to be made first: open it in the game"
+                                            : otherGenerator(origin.generator())));
+        }
+        return level;
+    }
+
+    private static String otherGenerator(int version) {
+        return " by version "
+                + version
+                + " of the generator; this is version "
+                + Generator.VERSION
+                + ", which makes another level of it";
     }
 
     private Optional<Level> level(Document json) {

@@ -8,6 +8,7 @@ import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.setup.Integrator;
 import rigibo.frontend.document.Document;
 import rigibo.frontend.puzzle.level.Click;
+import rigibo.frontend.puzzle.level.Origin;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Checkpoint;
 
@@ -16,6 +17,7 @@ import tools.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.regex.Pattern;
 
@@ -23,6 +25,9 @@ import java.util.regex.Pattern;
 final class ReplaySketch {
 
     private static final Pattern STEP = Pattern.compile("0|[1-9]\\d{0,7}");
+
+    /** Where it says what its level was made from. */
+    static final String MADE = "/level/made";
 
     private final Document json;
 
@@ -38,6 +43,15 @@ final class ReplaySketch {
             error(pointer, "must be 16 hexadecimal digits, was " + node);
         }
         return hash;
+    }
+
+    /** What its level was made from; empty of a level that was not, and where it is unsound. */
+    Optional<Origin> origin() {
+        JsonNode made = json.node(MADE);
+        return made.isMissingNode() || json.isSpoilt(MADE)
+                ? Optional.empty()
+                : Optional.of(
+                        new Origin(made.path("seed").asLong(0), made.path("generator").asInt(0)));
     }
 
     /** By their steps, in which order a file has them or not. */

@@ -42,6 +42,14 @@ final class ReplayText {
         node.put("id", recording.level().id());
         node.put("title", recording.level().title().in(Locale.ENGLISH));
         node.put("hash", Hex.of(recording.replay().levelHash()));
+        recording
+                .level()
+                .origin()
+                .ifPresent(
+                        origin ->
+                                node.putObject("made")
+                                        .put("seed", origin.seed())
+                                        .put("generator", origin.generator()));
     }
 
     private static void accuracy(ObjectNode node, Accuracy accuracy) {

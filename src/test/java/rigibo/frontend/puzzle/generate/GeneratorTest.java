@@ -13,6 +13,7 @@ import rigibo.frontend.puzzle.check.Figures;
 import rigibo.frontend.puzzle.check.LevelProof;
 import rigibo.frontend.puzzle.level.Clickable;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Origin;
 import rigibo.frontend.puzzle.level.Verb;
 
 import java.util.List;
@@ -24,6 +25,9 @@ class GeneratorTest {
 
     private static final long FIRST = 21;
     private static final int COUNT = 3;
+
+    /** Of the level of the first seed. */
+    private static final long HASH = -9_022_159_366_812_882_962L;
 
     private static List<Generated> levels;
 
@@ -42,6 +46,19 @@ class GeneratorTest {
         assertThat(again.text()).isEqualTo(levels.get(0).text());
         assertThat(again.figures()).isEqualTo(levels.get(0).figures());
         assertThat(again.effort()).isEqualTo(levels.get(0).effort());
+    }
+
+    /**
+     * Whoever changes what is made raises {@link Generator#VERSION}, or replays of made levels are
+     * played in others; the hash here changes with it. A new revision of the simulation may change
+     * what passes for a puzzle, too, and replays tell revisions apart by themselves.
+     */
+    @Test
+    void seedKeepsItsLevelAsLongAsTheVersionStays() {
+        Level level = levels.get(0).level();
+        assertThat(level.origin()).contains(new Origin(FIRST, Generator.VERSION));
+        assertThat(Generator.VERSION).isEqualTo(1);
+        assertThat(level.hash()).isEqualTo(HASH);
     }
 
     @Test

@@ -1,0 +1,91 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.replay.LoadedReplay;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Print;
+import rigibo.frontend.scene.widget.Tile;
+import rigibo.frontend.scene.widget.Tiles;
+
+import java.util.List;
+
+/** Waits until the level of a replay is made, and then shows the replay. */
+final class MadeReplayScene implements Scene {
+
+    private final Director director;
+    private final Words words;
+    private final UnmadeReplay replay;
+    private final Making making;
+    private final Tiles tiles;
+    private int steps;
+    private boolean isHandedOver;
+
+    /** Begins to make the level. */
+    MadeReplayScene(Director director, UnmadeReplay replay) {
+        this(director, replay, Making.begin(List.of(replay.origin().seed())));
+    }
+
+    MadeReplayScene(Director director, UnmadeReplay replay, Making making) {
+        this.director = director;
+        this.replay = replay;
+        this.making = making;
+        words = director.words();
+        String back = "‹  " + words.of("menu.levels");
+        Tile.Look look = (canvas, tile, isChosen) -> Print.button(canvas, tile, back, isChosen);
+        tiles = new Tiles(List.of(new Tile(20, 22, 130, 42, look, director::showLevels)), 0);
+    }
+
+    @Override
+    public String title() {
+        return "RigiBo – " + words.of("made.replay");
+    }
+
+    @Override
+    public void step() {
+        steps++;
+        if (!isHandedOver && making.made().isPresent()) {
+            isHandedOver = true;
+            director.show(watched(making.made().get().level()));
+        }
+    }
+
+    private Scene watched(Level level) {
+        LoadedReplay loaded = replay.in(level);
+        return loaded.recording()
+                .<Scene>map(run -> new ReplayScene(director, run, ReplayScene.Audience.PLAYER))
+                .orElseGet(() -> new ProblemsScene(director, loaded.problems()));
+    }
+
+    @Override
+    public void draw(Canvas canvas) {
+        Print.centred(canvas, words.of("made.replay"), WIDTH / 2.0, 44, 28, Color.BRASS);
+        tiles.draw(canvas);
+        MakingNote.draw(canvas, words, making, HEIGHT / 2.0, steps, director.settings().motion());
+    }
+
+    @Override
+    public void closed() {
+        making.stop();
+    }
+
+    @Override
+    public void pointerMoved(double x, double y) {
+        tiles.pointerMoved(x, y);
+    }
+
+    @Override
+    public void pointerPressed(PointerButton button, double x, double y) {
+        tiles.pointerPressed(button, x, y);
+    }
+
+    @Override
+    public void keyPressed(Key key) {
+        tiles.keyPressed(key);
+    }
+}
