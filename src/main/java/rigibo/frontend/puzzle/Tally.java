@@ -52,7 +52,7 @@ final class Tally {
     /** Records a try that was won or lost. */
     void ended(PuzzleGame game) {
         count.ended();
-        keepCount();
+        keepCount(game);
         if (game.isSolved()) {
             ledger.solved(game);
             shelf.ifPresent(place -> keep(place, game));
@@ -83,16 +83,17 @@ final class Tally {
         if (isLeft(game)) {
             count.ended();
         }
-        keepCount();
+        keepCount(game);
     }
 
     private static boolean isLeft(PuzzleGame game) {
         return game.outcome() == Outcome.RUNNING && game.clicks() > 0;
     }
 
-    private void keepCount() {
+    /** Of an experiment nothing counts, not even its time. */
+    private void keepCount(PuzzleGame game) {
         Totals more = count.taken();
-        if (!more.equals(Totals.NONE)) {
+        if (!game.isExperiment() && !more.equals(Totals.NONE)) {
             director.progress(director.progress().played(more));
         }
     }
