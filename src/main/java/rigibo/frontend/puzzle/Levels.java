@@ -45,6 +45,25 @@ public final class Levels {
                                         director, new Endless(director.progress().endless()))));
     }
 
+    /** A page for each world with all its levels, called {@code world-1} and so on. */
+    public static List<SceneEntry> sheets() {
+        return OfTheGame.LEVELS.stream().map(Placed::world).distinct().map(Levels::sheet).toList();
+    }
+
+    private static SceneEntry sheet(int world) {
+        List<Level> levels =
+                OfTheGame.LEVELS.stream()
+                        .filter(placed -> placed.world() == world)
+                        .map(Placed::level)
+                        .toList();
+        return new SceneEntry(
+                "world-" + world,
+                words -> words.of("world." + world),
+                words -> words.of("world." + world + ".words"),
+                Optional.empty(),
+                director -> new SheetScene(director, levels, world));
+    }
+
     /** The levels of the game that can be played, in the order of their files. */
     static List<Level> all() {
         return OfTheGame.LEVELS.stream().map(Placed::level).toList();

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import java.util.stream.Stream;
 
@@ -76,6 +77,14 @@ public record Level(
                                                                         joint.id().orElseThrow(),
                                                                         verb)));
         return Stream.concat(ofBodies, ofJoints).toList();
+    }
+
+    /** What a click does to something by its id; nothing where it cannot be clicked. */
+    public Optional<Verb> verb(String target) {
+        return clickables().stream()
+                .filter(it -> it.id().equals(target))
+                .findFirst()
+                .map(Clickable::verb);
     }
 
     /** Whether an id is that of a joint. */

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -23,7 +24,7 @@ import java.util.stream.Stream;
 public final class LevelShelf {
 
     /** The world's number, from 1, and the level's within it. */
-    private static final Pattern NUMBERED = Pattern.compile("([1-9])-\\d\\d-.+\\.json");
+    private static final Pattern NUMBERED = Pattern.compile("([1-9])-(\\d\\d)-.+\\.json");
 
     /** What level files are held against, among the class path's resources. */
     static final String SCHEMA = "/levels/level.schema.json";
@@ -97,6 +98,14 @@ public final class LevelShelf {
                     "a level of the game must be called W-NN-name.json, was " + name(file));
         }
         return Integer.parseInt(matcher.group(1));
+    }
+
+    /** The place in its world of a level of the game, from 1; nothing for other files. */
+    public static OptionalInt place(Path file) {
+        Matcher matcher = NUMBERED.matcher(name(file));
+        return matcher.matches()
+                ? OptionalInt.of(Integer.parseInt(matcher.group(2)))
+                : OptionalInt.empty();
     }
 
     private static String name(Path file) {
