@@ -19,8 +19,9 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * What the first level with a verb teaches, until it was solved: a hand shows the first click. The
- * first level of all also says, as they happen, what the cooldown and the hold are.
+ * What the first level with a verb teaches, until it was solved: a hand shows the first click, be
+ * there known verbs beside it or not. The first level of all also says, as they happen, what the
+ * cooldown and the hold are.
  */
 final class Lesson {
 
