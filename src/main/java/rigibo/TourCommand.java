@@ -97,6 +97,7 @@ final class TourCommand implements Callable<Integer> {
         all.add(new Tour.Stop("menu", Catalog::menu, true));
         all.add(new Tour.Stop("levels", Catalog::levels, true));
         all.add(new Tour.Stop("settings", Catalog::settings, true));
+        Catalog.sheets().forEach(entry -> all.add(new Tour.Stop(entry.name(), entry.open(), true)));
         Catalog.entries().forEach(entry -> all.add(stop(entry)));
         Set<String> exhibits =
                 Catalog.exhibits().stream().map(SceneEntry::name).collect(Collectors.toSet());

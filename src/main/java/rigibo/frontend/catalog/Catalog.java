@@ -43,6 +43,11 @@ public final class Catalog {
         return Gallery.exhibits();
     }
 
+    /** A page for each world of levels, which no menu leads to: for the tour. */
+    public static List<SceneEntry> sheets() {
+        return Levels.sheets();
+    }
+
     /** Finds a scene by the name that the command line uses, among the gallery's exhibits too. */
     public static Optional<SceneEntry> find(String name) {
         return Stream.concat(entries().stream(), exhibits().stream())

@@ -11,7 +11,8 @@ import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
 
 /**
- * A level in the list: its picture, number and title, and a medal, perhaps a star, or a lock.
+ * A level in the list: its picture, number in its world and title, and a medal, perhaps a star, or
+ * a lock.
  *
  * @param levels the list
  * @param level which of them, from 0
@@ -22,7 +23,7 @@ record LevelCard(LevelList levels, int level, Words words) {
     /** px. */
     static final double WIDTH = 162;
 
-    static final double HEIGHT = 138;
+    static final double HEIGHT = 168;
 
     private static final double STRIP = 30;
     private static final double PICTURE = HEIGHT - STRIP;
@@ -66,20 +67,15 @@ record LevelCard(LevelList levels, int level, Words words) {
     }
 
     private void drawNumber(Canvas canvas, Tile tile) {
+        String number = String.valueOf(levels.place(level) + 1);
         canvas.panel(tile.x() + 6, tile.y() + 6, 30, 24, 8, Color.PANEL);
-        Print.centred(
-                canvas, String.valueOf(level + 1), tile.x() + 21, tile.y() + 18, 16, Color.TEXT);
+        Print.centred(canvas, number, tile.x() + 21, tile.y() + 18, 16, Color.TEXT);
     }
 
     /** Draws a veil over the picture with a padlock on it. */
     private static void drawLock(Canvas canvas, Tile tile) {
         canvas.panel(tile.x(), tile.y(), WIDTH, PICTURE, 10, Color.PANEL);
-        double x = tile.middleX();
-        double y = tile.y() + PICTURE / 2;
-        canvas.ring(x, y - 8, 10, 4, 1, Color.TEXT_DIM);
-        canvas.panel(x - 16, y - 8, 32, 26, 5, Color.TEXT_DIM);
-        canvas.disc(x, y + 3, 4, Color.DUSK_TOP);
-        canvas.line(x, y + 3, x, y + 11, 3, Color.DUSK_TOP);
+        Padlock.draw(canvas, tile.middleX(), tile.y() + PICTURE / 2, 1);
     }
 
     /**
@@ -96,7 +92,8 @@ record LevelCard(LevelList levels, int level, Words words) {
                         () -> Sign.tick(canvas, x, y, 6, 3, Color.GOOD));
     }
 
-    private static void drawMedal(Canvas canvas, double x, double y, Medal medal) {
+    /** Draws a medal with its rank about a point. */
+    static void drawMedal(Canvas canvas, double x, double y, Medal medal) {
         canvas.disc(x, y, 10, medal.color());
         String rank = String.valueOf(medal.ordinal() + 1);
         Print.centred(canvas, rank, x, y, 16, Color.DUSK_TOP);

@@ -10,15 +10,22 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * The levels, and the player's progress in them.
+ * The levels, world by world, and the player's progress in them. Levels count from 0 over all
+ * worlds, worlds from 1.
+ *
+ * <p>What opens is counted, never a chain of levels: so a level that is moved or taken away closes
+ * nothing, and one that is too hard stops nobody.
  *
  * @param levels in their order
  * @param progress the player's
  */
 record LevelList(List<SceneEntry> levels, Progress progress) {
 
-    /** Number of levels that are open from the start. */
+    /** Number of levels of a world that are open as soon as the world is. */
     private static final int OPEN_AT_FIRST = 3;
+
+    /** Number of levels to solve, in any worlds, for each world after the first. */
+    private static final int SOLVED_FOR_A_WORLD = 6;
 
     /** Selects the levels among some entries. */
     static LevelList of(List<SceneEntry> entries, Progress progress) {
@@ -29,17 +36,60 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
         return levels.get(level).challenge().orElseThrow();
     }
 
+    private String id(int level) {
+        return levels.get(level).name();
+    }
+
     LevelProgress done(int level) {
-        return progress.of(levels.get(level).name(), challenge(level).hash());
+        return progress.of(id(level), challenge(level).hash());
     }
 
     boolean isSolved(int level) {
         return done(level).isSolved();
     }
 
-    /** A level that was solved stays open, even if levels were added before it. */
+    /** Number of worlds. */
+    int worlds() {
+        return IntStream.range(0, levels.size()).map(this::world).max().orElse(0);
+    }
+
+    /** The world of a level. */
+    int world(int level) {
+        return challenge(level).world();
+    }
+
+    /** The levels of a world. */
+    List<Integer> of(int world) {
+        return IntStream.range(0, levels.size())
+                .filter(level -> world(level) == world)
+                .boxed()
+                .toList();
+    }
+
+    /** Place of a level in its world, from 0. */
+    int place(int level) {
+        return of(world(level)).indexOf(level);
+    }
+
+    /** Number of levels to solve, in any worlds, that open a world. */
+    int opens(int world) {
+        return (world - 1) * SOLVED_FOR_A_WORLD;
+    }
+
+    boolean isWorldOpen(int world) {
+        return solved() >= opens(world);
+    }
+
+    /** Number of levels of its world to solve that open a level, once the world is open. */
+    int opensWithin(int level) {
+        return Math.max(0, place(level) - OPEN_AT_FIRST + 1);
+    }
+
+    /** A level that was open once stays open. */
     boolean isOpen(int level) {
-        return level < OPEN_AT_FIRST || isSolved(level - 1) || isSolved(level);
+        return isWorldOpen(world(level)) && solved(world(level)) >= opensWithin(level)
+                || progress.levels().containsKey(id(level))
+                || FormerOrder.opened(id(level), progress);
     }
 
     Optional<Medal> medal(int level) {
@@ -72,6 +122,18 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
 
     long solved() {
         return IntStream.range(0, levels.size()).filter(this::isSolved).count();
+    }
+
+    /** Number of levels of a world that are solved. */
+    long solved(int world) {
+        return of(world).stream().filter(this::isSolved).count();
+    }
+
+    /** Number of medals of a kind that were won in a world. */
+    long medals(int world, Medal medal) {
+        return of(world).stream()
+                .filter(level -> medal(level).filter(medal::equals).isPresent())
+                .count();
     }
 
     boolean isComplete() {

@@ -19,16 +19,23 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-/** All levels as cards with their pictures: which are open, which are solved, and how well. */
+/**
+ * The worlds as tabs, and the levels of one of them as cards with their pictures: which are open,
+ * which are solved, and how well.
+ */
 public final class LevelsScene implements Scene {
 
     private static final int COLUMNS = 4;
-    private static final int ROWS = 4;
     private static final double EDGE = 20;
     private static final double GAP = 10;
-    private static final double TOP = 126;
+    private static final double TABS_TOP = 128;
+    private static final double TOP = TABS_TOP + WorldTab.HEIGHT + GAP;
     private static final double PITCH_X = LevelCard.WIDTH + GAP;
     private static final double PITCH_Y = LevelCard.HEIGHT + GAP;
+
+    /** Slot of the plate among those of cards, after the tenth. */
+    private static final int PLATE_SLOT = 10;
+
     private static final double FOOT_TOP = HEIGHT - 58;
     private static final double FOOT_HEIGHT = 40;
     private static final double WATCH_WIDTH = 200;
@@ -54,7 +61,9 @@ public final class LevelsScene implements Scene {
                     FOOT_HEIGHT,
                     this::drawWatch,
                     this::watch);
-    private int firstRow;
+
+    /** The world whose levels are shown, from 1. */
+    private int world = 1;
 
     /** Whether the level's best run was asked for, but none was kept. */
     private boolean isMissed;
@@ -71,19 +80,26 @@ public final class LevelsScene implements Scene {
         this.director = director;
         words = director.words();
         levels = LevelList.of(entries, director.progress());
-        layOut(levels.levels().isEmpty() ? 0 : levels.next() + before());
-        bringIntoSight();
+        if (!levels.levels().isEmpty()) {
+            world = levels.world(levels.next());
+        }
+        layOut(0);
+        if (!levels.levels().isEmpty()) {
+            tiles.choose(before() + levels.place(levels.next()));
+        }
     }
 
     /** Number of tiles before those of the levels. */
     private int before() {
+        return tabs() + levels.worlds();
+    }
+
+    /** Number of tiles before those of the worlds. */
+    private int tabs() {
         return BUTTONS + made.size();
     }
 
-    /**
-     * The tiles: the way back, codes, levels made by chance, then the levels; rows out of sight
-     * have none.
-     */
+    /** The tiles: the way back, codes, levels made by chance, the worlds, and a world's levels. */
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
         laid.add(button(EDGE, this::drawBack, director::showMenu));
@@ -92,18 +108,50 @@ public final class LevelsScene implements Scene {
         for (int i = 0; i < made.size(); i++) {
             laid.add(made(made.get(i), EDGE + i * (width + GAP), width));
         }
-        for (int i = 0; i < levels.levels().size(); i++) {
-            int level = i;
-            laid.add(
-                    new Tile(
-                            EDGE + i % COLUMNS * PITCH_X,
-                            TOP + (i / COLUMNS - firstRow) * PITCH_Y,
-                            LevelCard.WIDTH,
-                            LevelCard.HEIGHT,
-                            (canvas, tile, isChosen) -> drawCard(canvas, tile, level, isChosen),
-                            () -> open(level)));
+        for (int i = 1; i <= levels.worlds(); i++) {
+            laid.add(tab(i));
         }
+        levels.of(world).forEach(level -> laid.add(card(level)));
         tiles = new Tiles(laid, chosen);
+    }
+
+    private Tile tab(int number) {
+        WorldTab tab = new WorldTab(levels, number, words);
+        return new Tile(
+                slotX(number - 1),
+                TABS_TOP,
+                WorldTab.WIDTH,
+                WorldTab.HEIGHT,
+                (canvas, tile, isChosen) -> tab.draw(canvas, tile, isChosen, number == world),
+                () -> turnTo(number));
+    }
+
+    private Tile card(int level) {
+        LevelCard card = new LevelCard(levels, level, words);
+        int place = levels.place(level);
+        return new Tile(
+                slotX(place),
+                slotY(place),
+                LevelCard.WIDTH,
+                LevelCard.HEIGHT,
+                card::draw,
+                () -> open(level));
+    }
+
+    private static double slotX(int slot) {
+        return EDGE + slot % COLUMNS * PITCH_X;
+    }
+
+    private static double slotY(int slot) {
+        return TOP + slot / COLUMNS * PITCH_Y;
+    }
+
+    /** Shows the levels of a world, with its tab chosen. */
+    private void turnTo(int number) {
+        if (number >= 1 && number <= levels.worlds()) {
+            world = number;
+            layOut(tabs() + number - 1);
+        }
     }
 
     private Tile made(SceneEntry entry, double x, double width) {
@@ -129,17 +177,6 @@ public final class LevelsScene implements Scene {
         Print.button(canvas, tile, words.of("menu.paste"), isChosen);
     }
 
-    private void drawCard(Canvas canvas, Tile tile, int level, boolean isChosen) {
-        if (isInSight(level)) {
-            new LevelCard(levels, level, words).draw(canvas, tile, isChosen);
-        }
-    }
-
-    private boolean isInSight(int level) {
-        int row = level / COLUMNS - firstRow;
-        return row >= 0 && row < ROWS;
-    }
-
     private void open(int level) {
         if (levels.isOpen(level)) {
             open(levels.levels().get(level));
@@ -160,25 +197,14 @@ public final class LevelsScene implements Scene {
     }
 
     private OptionalInt chosenLevel() {
-        int level = tiles.chosen() - before();
-        return level < 0 ? OptionalInt.empty() : OptionalInt.of(level);
+        int place = tiles.chosen() - before();
+        return place < 0 ? OptionalInt.empty() : OptionalInt.of(levels.of(world).get(place));
     }
 
-    private void bringIntoSight() {
-        chosenLevel().ifPresent(level -> scrollTo(rowToShow(level / COLUMNS)));
-    }
-
-    private int rowToShow(int row) {
-        return Math.max(row - ROWS + 1, Math.min(row, firstRow));
-    }
-
-    private void scrollTo(int row) {
-        int last = (levels.levels().size() - 1) / COLUMNS;
-        int wanted = Math.max(0, Math.min(row, last - ROWS + 1));
-        if (wanted != firstRow) {
-            firstRow = wanted;
-            layOut(tiles.chosen());
-        }
+    /** The world whose tab is chosen. */
+    private OptionalInt chosenWorld() {
+        int tab = tiles.chosen() - tabs();
+        return tab < 0 || tab >= levels.worlds() ? OptionalInt.empty() : OptionalInt.of(tab + 1);
     }
 
     @Override
@@ -195,6 +221,15 @@ public final class LevelsScene implements Scene {
         String count = words.of("menu.solved", levels.solved(), levels.levels().size());
         Print.right(canvas, count, WIDTH - EDGE, 46, 18, Color.TEXT);
         tiles.draw(canvas);
+        if (levels.worlds() > 0) {
+            new WorldPlate(levels, world, words)
+                    .draw(
+                            canvas,
+                            slotX(PLATE_SLOT),
+                            slotY(PLATE_SLOT),
+                            PITCH_X + LevelCard.WIDTH,
+                            LevelCard.HEIGHT);
+        }
         double foot = WIDTH - 2 * EDGE - (canWatch() ? WATCH_WIDTH + GAP : 0);
         canvas.panel(EDGE, FOOT_TOP, foot, FOOT_HEIGHT, 12, Color.PANEL);
         double middle = FOOT_TOP + FOOT_HEIGHT / 2;
@@ -261,22 +296,42 @@ public final class LevelsScene implements Scene {
     private String about() {
         OptionalInt chosen = chosenLevel();
         if (chosen.isEmpty()) {
-            return chosenMade()
-                    .map(entry -> entry.words().apply(words))
-                    .orElseGet(() -> words.of("menu.choose"));
+            return aboutOther();
         }
         if (isMissed) {
             return words.of("replay.none-kept");
         }
         int level = chosen.getAsInt();
         if (!levels.isOpen(level)) {
-            return words.of("menu.locked", level);
+            return locked(level);
         }
         int par = levels.levels().get(level).challenge().orElseThrow().par();
         OptionalInt best = levels.done(level).fewestClicks();
         return best.isPresent()
                 ? words.of("menu.best", par, best.getAsInt())
                 : words.of("menu.par", par);
+    }
+
+    private String aboutOther() {
+        if (chosenWorld().isPresent()) {
+            return about(chosenWorld().getAsInt());
+        }
+        return chosenMade()
+                .map(entry -> entry.words().apply(words))
+                .orElseGet(() -> words.of("menu.choose"));
+    }
+
+    private String about(int number) {
+        return levels.isWorldOpen(number)
+                ? words.of("menu.solved", levels.solved(number), levels.of(number).size())
+                : words.of("world.opens", levels.opens(number), levels.solved());
+    }
+
+    /** What opens a level: first its world, then others of that world. */
+    private String locked(int level) {
+        return levels.isWorldOpen(world)
+                ? words.of("menu.locked", levels.opensWithin(level))
+                : about(world);
     }
 
     @Override
@@ -298,7 +353,7 @@ public final class LevelsScene implements Scene {
 
     @Override
     public void scrolled(double notches, double x, double y) {
-        scrollTo(firstRow - (int) Math.signum(notches));
+        turnTo(world - (int) Math.signum(notches));
     }
 
     @Override
@@ -308,7 +363,10 @@ public final class LevelsScene implements Scene {
             watch();
             return;
         }
-        tiles.keyPressed(key);
-        bringIntoSight();
+        switch (key) {
+            case LEFT_BRACKET -> turnTo(world - 1);
+            case RIGHT_BRACKET -> turnTo(world + 1);
+            default -> tiles.keyPressed(key);
+        }
     }
 }

@@ -76,7 +76,8 @@ public final class MenuScene implements Scene {
         int number = levels.next();
         SceneEntry next = levels.levels().get(number);
         String verb = words.of(verb(levels));
-        String title = number + 1 + "  " + next.title().apply(words);
+        String place = levels.world(number) + "–" + (levels.place(number) + 1);
+        String title = place + "   " + next.title().apply(words);
         return new Tile(
                 BROAD_LEFT,
                 PLAY_TOP,

@@ -19,8 +19,9 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * What the first level with a verb teaches, until it was solved: a hand shows the first click. The
- * first level of all also says, as they happen, what the cooldown and the hold are.
+ * What the first level with a verb teaches, until it was solved: a hand shows the first click, be
+ * there known verbs beside it or not. The first level of all also says, as they happen, what the
+ * cooldown and the hold are.
  */
 final class Lesson {
 
@@ -49,15 +50,19 @@ final class Lesson {
     /** The lesson of one of several levels, which are played in their order. */
     static Lesson of(List<Level> levels, int number, boolean isSolved) {
         Level level = levels.get(number);
-        Set<Verb> verbs = verbs(level);
-        boolean isNew =
-                levels.subList(0, number).stream().noneMatch(it -> verbs(it).containsAll(verbs));
-        boolean teaches = !isSolved && isNew && verbs.size() == 1 && !level.solutions().isEmpty();
-        return new Lesson(
-                Optional.of(level)
-                        .filter(it -> teaches)
-                        .map(it -> it.solutions().get(0).clicks().get(0).target()),
-                !isSolved && number == 0);
+        Optional<String> first =
+                level.solutions().stream().findFirst().map(it -> it.clicks().get(0).target());
+        Set<Verb> known =
+                levels.subList(0, number).stream()
+                        .flatMap(it -> verbs(it).stream())
+                        .collect(Collectors.toSet());
+        Set<Verb> fresh = verbs(level);
+        fresh.removeAll(known);
+        boolean teaches =
+                !isSolved
+                        && fresh.size() == 1
+                        && first.flatMap(level::verb).filter(fresh::contains).isPresent();
+        return new Lesson(first.filter(it -> teaches), !isSolved && number == 0);
     }
 
     /** Nothing to teach. */

@@ -10,12 +10,14 @@ import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.puzzle.level.Platform;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.joint.JointPen;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 
 /** A picture of a level at its start, as large as fits. */
 final class LevelPicture implements SceneEntry.Picture {
@@ -23,9 +25,15 @@ final class LevelPicture implements SceneEntry.Picture {
     /** Largest scale on a card, px per m; few and small bodies are not enlarged further. */
     private static final double ON_A_CARD = 22;
 
+    /** Opacity of water. */
+    private static final double WATER = 0.3;
+
     private final double mostScale;
     private final List<Part> parts = new ArrayList<>();
     private final List<LevelJoint> joints;
+
+    /** Where the water's surface is, m; nothing where there is none. */
+    private final OptionalDouble water;
 
     /** The ball at which the faces look. */
     private final Ball first;
@@ -54,6 +62,7 @@ final class LevelPicture implements SceneEntry.Picture {
         this.mostScale = mostScale;
         first = level.balls().get(0);
         joints = level.joints();
+        water = level.world().waterLevel();
         Platform platform = level.platform();
         Polygon plank = Polygon.box(platform.width(), platform.height());
         parts.add(new Part(plank, platform.x(), platform.y(), platform.angle(), Skin.WOOD));
@@ -93,8 +102,19 @@ final class LevelPicture implements SceneEntry.Picture {
         for (Part part : parts) {
             canvas.body(part.shape, part.x, part.y, part.angle, part.skin, Canvas.Mood.PLAIN);
         }
+        water.ifPresent(surface -> drawWater(canvas, camera, surface));
         JointPen pen = new JointPen(canvas, camera);
         joints.forEach(joint -> JointSketch.draw(pen, joint));
+    }
+
+    /** Draws the water as wide and as deep as the level's parts go. */
+    private void drawWater(Canvas canvas, Camera camera, double surface) {
+        double left = camera.screenX(whole.minX);
+        double top = camera.screenY(surface);
+        double wide = camera.screenX(whole.maxX) - left;
+        double deep = camera.screenY(whole.minY) - top;
+        canvas.panel(left, top, wide, deep, 0, Color.ICE.alpha(WATER));
+        canvas.line(left, top, left + wide, top, 2, Color.ICE.alpha(2 * WATER));
     }
 
     /** Places the middle of the level in the middle of a rectangle, px. */

@@ -23,10 +23,11 @@ public final class Levels {
 
     /** An entry for each level of the game that can be played, in the order of their files. */
     public static List<SceneEntry> entries() {
+        List<Placed> placed = OfTheGame.LEVELS;
         List<Level> levels = all();
         List<SceneEntry> entries = new ArrayList<>();
         for (int i = 0; i < levels.size(); i++) {
-            entries.add(entry(levels, i));
+            entries.add(entry(levels, i, placed.get(i).world()));
         }
         return entries;
     }
@@ -44,10 +45,32 @@ public final class Levels {
                                         director, new Endless(director.progress().endless()))));
     }
 
+    /** A page for each world with all its levels, called {@code world-1} and so on. */
+    public static List<SceneEntry> sheets() {
+        return OfTheGame.LEVELS.stream().map(Placed::world).distinct().map(Levels::sheet).toList();
+    }
+
+    private static SceneEntry sheet(int world) {
+        List<Level> levels =
+                OfTheGame.LEVELS.stream()
+                        .filter(placed -> placed.world() == world)
+                        .map(Placed::level)
+                        .toList();
+        return new SceneEntry(
+                "world-" + world,
+                words -> words.of("world." + world),
+                words -> words.of("world." + world + ".words"),
+                Optional.empty(),
+                director -> new SheetScene(director, levels, world));
+    }
+
     /** The levels of the game that can be played, in the order of their files. */
     static List<Level> all() {
-        return OfTheGame.LEVELS;
+        return OfTheGame.LEVELS.stream().map(Placed::level).toList();
     }
+
+    /** A level and the number of its world, from 1. */
+    private record Placed(Level level, int world) {}
 
     /**
      * The levels, read when they are first asked for, since validating them takes longer than a
@@ -55,9 +78,9 @@ public final class Levels {
      */
     private static final class OfTheGame {
 
-        static final List<Level> LEVELS = read();
+        static final List<Placed> LEVELS = read();
 
-        private static List<Level> read() {
+        private static List<Placed> read() {
             LevelLoader loader = new LevelLoader();
             return LevelShelf.files().stream().flatMap(file -> read(loader, file)).toList();
         }
@@ -65,12 +88,12 @@ public final class Levels {
         /**
          * Reports levels that cannot be played, which would otherwise be missing without a word.
          */
-        private static Stream<Level> read(LevelLoader loader, Path file) {
+        private static Stream<Placed> read(LevelLoader loader, Path file) {
             LoadedLevel loaded = loader.load(file);
             loaded.problems().stream()
                     .filter(Problem::isError)
                     .forEach(problem -> Logger.warn("A level is left out: {}", problem));
-            return loaded.level().stream();
+            return loaded.level().stream().map(level -> new Placed(level, LevelShelf.world(file)));
         }
     }
 
@@ -85,7 +108,7 @@ public final class Levels {
                 .orElseThrow(() -> new IllegalArgumentException(words(loaded.problems())));
     }
 
-    private static SceneEntry entry(List<Level> levels, int number) {
+    private static SceneEntry entry(List<Level> levels, int number, int world) {
         Level level = levels.get(number);
         return new SceneEntry(
                 level.id(),
@@ -94,6 +117,7 @@ public final class Levels {
                 Optional.of(
                         new SceneEntry.Challenge(
                                 level.hash(),
+                                world,
                                 level.limits().par(),
                                 new LevelPicture(level),
                                 director -> Replays.best(director, level),

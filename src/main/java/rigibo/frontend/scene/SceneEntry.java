@@ -23,6 +23,7 @@ public record SceneEntry(
      * What there is to win in a level, and what it looks like.
      *
      * @param hash of the level, as progress names it
+     * @param world number of the world that the level is in, from 1
      * @param par clicks of a gold medal
      * @param picture the level at its start
      * @param watch the player's best run that was kept, as it is watched; nothing where none was
@@ -30,6 +31,7 @@ public record SceneEntry(
      */
     public record Challenge(
             long hash,
+            int world,
             int par,
             Picture picture,
             Function<Director, Optional<Scene>> watch,

@@ -343,7 +343,7 @@ class EditorSceneTest {
         Author author = drop();
         Draft left = author.draft();
         author.press("Open");
-        author.press("02-tilt.json");
+        author.press("1-04-tilt.json");
         assertThat(author.draft().at("/id").asString()).isEqualTo("tilt");
         author.scene.closed();
         Author later = Author.withNewLevel(folder);

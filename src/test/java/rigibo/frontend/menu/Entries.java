@@ -17,6 +17,9 @@ final class Entries {
     static final long HASH = 17;
     static final int PAR = 2;
 
+    /** Levels of a world. */
+    static final int WORLD = 10;
+
     private Entries() {}
 
     /** Levels of the ids level0, level1 … with titles that are longer than a card is wide. */
@@ -32,6 +35,7 @@ final class Entries {
                 Optional.of(
                         new SceneEntry.Challenge(
                                 HASH,
+                                1 + number / WORLD,
                                 PAR,
                                 (canvas, x, y, width, height) ->
                                         canvas.frame(x, y, width, height, 0, Color.EDGE),

@@ -6,8 +6,11 @@ import org.junit.jupiter.api.Test;
 
 import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Progress;
+import rigibo.frontend.scene.SceneEntry;
 
+import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 class LevelListTest {
 
@@ -19,7 +22,11 @@ class LevelListTest {
     }
 
     private static int[] open(LevelList levels) {
-        return IntStream.range(0, COUNT).filter(levels::isOpen).toArray();
+        return open(levels, COUNT);
+    }
+
+    private static int[] open(LevelList levels, int count) {
+        return IntStream.range(0, count).filter(levels::isOpen).toArray();
     }
 
     @Test
@@ -28,16 +35,53 @@ class LevelListTest {
     }
 
     @Test
-    void aLevelOpensWhenTheOneBeforeItIsSolved() {
-        assertThat(open(after(Progress.none().solved("level2", HASH, 4))))
+    void everyLevelThatIsSolvedOpensOneMore() {
+        assertThat(open(after(Progress.none().solved("level1", HASH, 4))))
                 .containsExactly(0, 1, 2, 3);
         assertThat(open(after(Progress.none().failed("level2", HASH)))).containsExactly(0, 1, 2);
     }
 
     @Test
-    void whatWasSolvedOnceStaysOpen() {
-        assertThat(open(after(Progress.none().solved("level4", HASH, 4))))
-                .containsExactly(0, 1, 2, 4, 5);
+    void aWorldOpensWithLevelsSolvedInAnyWorld() {
+        Progress progress = Progress.none();
+        for (int level : new int[] {0, 1, 2, 5, 7}) {
+            progress = progress.solved("level" + level, HASH, 4);
+        }
+        assertThat(worlds(progress).isWorldOpen(2)).isFalse();
+        assertThat(worlds(progress).isOpen(Entries.WORLD)).isFalse();
+        LevelList levels = worlds(progress.solved("level25", HASH, 4));
+        assertThat(levels.isWorldOpen(2)).isTrue();
+        assertThat(levels.isWorldOpen(3)).isFalse();
+        assertThat(levels.isOpen(Entries.WORLD + 2)).isTrue();
+        assertThat(levels.isOpen(Entries.WORLD + 3)).isFalse();
+    }
+
+    private static LevelList worlds(Progress progress) {
+        return LevelList.of(Entries.levels(3 * Entries.WORLD), progress);
+    }
+
+    /** Levels were in one list, where "dominoes" came before "tower-of-ten". */
+    @Test
+    void whatWasOpenBeforeThereWereWorldsStaysOpen() {
+        SceneEntry any = Entries.levels(1).get(0);
+        List<SceneEntry> levels =
+                Stream.of("a", "b", "c", "tower-of-ten", "snip")
+                        .map(
+                                id ->
+                                        new SceneEntry(
+                                                id,
+                                                any.title(),
+                                                any.words(),
+                                                any.challenge(),
+                                                any.open()))
+                        .toList();
+        Progress progress = Progress.none().solved("dominoes", HASH, 3);
+        assertThat(open(LevelList.of(levels, progress), 5)).containsExactly(0, 1, 2, 3);
+    }
+
+    @Test
+    void whatWasPlayedOnceStaysOpen() {
+        assertThat(open(after(Progress.none().failed("level4", HASH)))).containsExactly(0, 1, 2, 4);
     }
 
     @Test

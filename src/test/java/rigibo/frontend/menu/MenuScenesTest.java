@@ -114,7 +114,12 @@ class MenuScenesTest {
                         .solved("level3", 0, 1));
         assertLegible(new MenuScene(told, Entries.all(15)));
         assertLegible(new LevelsScene(told, Entries.all(15), Entries.made()));
-        assertLegible(new LevelsScene(told, Entries.all(40), Entries.made()));
+        told.progress(told.progress().solved("level15", Entries.HASH, 1).solved("level17", 0, 1));
+        LevelsScene levels = new LevelsScene(told, Entries.all(40), Entries.made());
+        for (int world = 1; world <= 4; world++) {
+            assertLegible(levels);
+            levels.keyPressed(Key.RIGHT_BRACKET);
+        }
         assertLegible(new SettingsScene(told));
         told.tell(NOTICE);
         told.tell(NOTICE);
@@ -206,7 +211,7 @@ class MenuScenesTest {
         LevelsScene levels = new LevelsScene(director, Entries.levels(15), Entries.made());
         press(levels, Key.RIGHT, Key.DOWN, Key.ENTER);
         assertThat(shown()).isEqualTo("level5");
-        press(levels, Key.LEFT, Key.UP, Key.UP, Key.ENTER);
+        press(levels, Key.LEFT, Key.UP, Key.UP, Key.UP, Key.UP, Key.ENTER);
         assertThat(director.asked).containsExactly("menu");
     }
 
@@ -223,23 +228,27 @@ class MenuScenesTest {
         LevelsScene levels = new LevelsScene(director, Entries.levels(15), Entries.made());
         press(levels, Key.DOWN, Key.ENTER);
         assertThat(director.shown).isEmpty();
-        assertThat(RecordingCanvas.of(levels).texts()).contains("Opens when level 4 is solved");
+        assertThat(RecordingCanvas.of(levels).texts())
+                .contains("Opens when 2 levels of this world are solved");
     }
 
     @Test
-    void theListMovesToTheChosenLevelWhenThereAreMoreThanFit() {
-        director.progress(allSolved(40));
+    void worldsAreTurnedByTabsKeysAndTheWheel() {
+        director.progress(allSolved(12));
         LevelsScene levels = new LevelsScene(director, Entries.levels(40), Entries.made());
-        for (int i = 0; i < 9; i++) {
-            press(levels, Key.DOWN);
-        }
-        assertThat(RecordingCanvas.of(levels).texts()).contains("37").doesNotContain("5");
-        press(levels, Key.ENTER);
-        assertThat(shown()).isEqualTo("level36");
-        levels.scrolled(1, 0, 0);
-        levels.scrolled(1, 0, 0);
-        levels.scrolled(1, 0, 0);
-        assertThat(RecordingCanvas.of(levels).texts()).doesNotContain("37");
+        press(levels, Key.RIGHT, Key.ENTER);
+        assertThat(shown()).isEqualTo("level13");
+        click(levels, "Boxes");
+        press(levels, Key.DOWN, Key.ENTER);
+        assertThat(shown()).isEqualTo("level0");
+        press(levels, Key.RIGHT_BRACKET, Key.RIGHT_BRACKET, Key.DOWN, Key.ENTER);
+        assertThat(shown()).isEqualTo("level22");
+        levels.scrolled(-1, 0, 0);
+        press(levels, Key.DOWN, Key.ENTER);
+        assertThat(director.shown).as("nothing opens in a closed world").hasSize(3);
+        assertThat(RecordingCanvas.of(levels).texts())
+                .contains("Opens with 18 levels solved, 12 so far");
+        assertLegible(levels);
     }
 
     @Test

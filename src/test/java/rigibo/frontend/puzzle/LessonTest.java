@@ -88,6 +88,22 @@ class LessonTest {
         assertThat(canvas.lines().isEmpty()).isNotEqualTo(isTaught);
     }
 
+    /** Its first solution begins with freezing, which no level before it has; its gate is known. */
+    @Test
+    void aNewVerbBesideAKnownOneIsTaught() {
+        List<Level> all = Levels.all();
+        int number = all.stream().map(Level::id).toList().indexOf("set-in-stone");
+        Level level = all.get(number);
+        RecordingCanvas canvas = new RecordingCanvas();
+        Lesson.of(all, number, false)
+                .draw(
+                        canvas,
+                        new Session(level, Accuracy.GAME),
+                        new View(level.world()).camera(),
+                        Motion.REDUCED);
+        assertThat(canvas.lines()).isNotEmpty();
+    }
+
     @Test
     void theBarExplainsCooldownAndHoldAsTheyHappen() {
         Lesson first = Lesson.of(List.of(ROPE, ROPE), 0, false);

@@ -3,7 +3,6 @@ package rigibo.frontend.puzzle.check;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
-import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Replay;
 
@@ -23,9 +22,6 @@ final class Jitter {
     /** Largest displacement of a body, m. */
     private static final double MOST = 0.010;
 
-    /** Largest delay of a click relative to the one before it, steps. */
-    private static final int LATEST = Steps.of(0.1);
-
     /**
      * Separates the random numbers of clicks from those of bodies, whose count depends on the
      * level.
@@ -42,8 +38,12 @@ final class Jitter {
         return level.shiftedSideways(() -> random.nextDouble(-MOST, MOST));
     }
 
-    /** Varies a stored solution, for a level varied by the same seed. */
-    static Replay of(Level moved, Solution solution, Accuracy accuracy, int seed) {
+    /**
+     * Varies a stored solution, for a level varied by the same seed.
+     *
+     * @param latest largest delay of a click relative to the one before it, steps
+     */
+    static Replay of(Level moved, Solution solution, Accuracy accuracy, int seed, int latest) {
         Replay stated = Replay.of(moved, solution, accuracy);
         if (seed == STATED) {
             return stated;
@@ -52,7 +52,7 @@ final class Jitter {
         List<Act> late = new ArrayList<>();
         int lateness = 0;
         for (Act click : stated.acts()) {
-            lateness += random.nextInt(LATEST + 1);
+            lateness += random.nextInt(latest + 1);
             late.add(new Act(click.step() + lateness, click.target()));
         }
         return new Replay(stated.levelHash(), late, accuracy);

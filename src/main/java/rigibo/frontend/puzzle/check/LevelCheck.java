@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Collectors;
 
 /**
@@ -21,27 +22,29 @@ import java.util.stream.Collectors;
  */
 final class LevelCheck {
 
-    private static final double PERCENT = 100;
-
     private final LoadedLevel loaded;
     private final Level level;
     private final List<Preset> presets;
+    private final OptionalInt place;
     private final List<String> proved = new ArrayList<>();
     private final Games games = new Games(Games.Cores.ALL);
 
-    private LevelCheck(LoadedLevel loaded, Level level, List<Preset> presets) {
+    private LevelCheck(LoadedLevel loaded, Level level, List<Preset> presets, OptionalInt place) {
         this.loaded = loaded;
         this.level = level;
         this.presets = presets;
+        this.place = place;
     }
 
     /**
      * Plays a level without loading errors; adds what is wrong to its problems.
      *
+     * @param place of the level in its world, from 1; none for one that is not of the game
      * @return what was played, in words, a line each
      */
-    static List<String> play(LoadedLevel loaded, Level level, List<Preset> presets) {
-        LevelCheck check = new LevelCheck(loaded, level, presets);
+    static List<String> play(
+            LoadedLevel loaded, Level level, List<Preset> presets, OptionalInt place) {
+        LevelCheck check = new LevelCheck(loaded, level, presets, place);
         check.play();
         return check.proved;
     }
@@ -76,7 +79,7 @@ final class LevelCheck {
                                                 + " of "
                                                 + count
                                                 + " games with everything up to 10 mm aside and"
-                                                + " clicks up to 0.1 s late; lost "
+                                                + " clicks up to 0.25 s late; lost "
                                                 + lost));
         NeededClicks.winner(level, solution, presets, games)
                 .ifPresent(words -> loaded.error(pointer, "E152 has a click too many: " + words));
@@ -105,21 +108,27 @@ final class LevelCheck {
                 .ifPresentOrElse(
                         clicks -> loaded.error("/rules/par", parIsTooLarge() + words(clicks)),
                         () -> {
-                            proved.add(share(found));
+                            proved.add(fewer(found.fewer()));
+                            proved.add(share(found.wins()));
                             misleading(found);
                         });
     }
 
     private void misleading(OrderSearch.Found found) {
         FalseLeads leads = new FalseLeads(level, games);
-        tell("first clicks that mislead", leads.first(found.winning()));
-        level.solutions().stream()
-                .limit(1)
-                .forEach(one -> tell("the rest misleads without", leads.forgotten(one)));
+        List<String> first = leads.first(found.winning());
+        List<String> forgotten =
+                level.solutions().stream()
+                        .limit(1)
+                        .flatMap(one -> leads.forgotten(one).stream())
+                        .toList();
+        tell("first clicks that mislead", first);
+        tell("the rest misleads without", forgotten);
+        proved.addAll(Bounds.told(place, level, found.wins(), first.size() + forgotten.size()));
     }
 
     private void tell(String what, List<String> ids) {
-        proved.add(what + ": " + (ids.isEmpty() ? "none" : String.join(", ", ids)));
+        proved.add(what + ": " + ids.size() + (ids.isEmpty() ? "" : " " + String.join(", ", ids)));
     }
 
     private String parIsTooLarge() {
@@ -133,14 +142,20 @@ final class LevelCheck {
                 + " wins";
     }
 
-    private String share(OrderSearch.Found found) {
+    private static String fewer(Share fewer) {
+        return fewer.isWhole()
+                ? "none of all " + fewer.games() + " games of fewer clicks wins"
+                : "none of a sample of " + fewer.games() + " games of fewer clicks wins";
+    }
+
+    private String share(Share wins) {
         return String.format(
                 Locale.ROOT,
-                "%d of %s%d orders and times of %d clicks win (%.0f %%)",
-                found.wins(),
-                found.isWhole() ? "all " : "a sample of ",
-                found.orders(),
+                "%d of %s%d orders and times of %d clicks win (%s)",
+                wins.wins(),
+                wins.isWhole() ? "all " : "a sample of ",
+                wins.games(),
                 level.limits().par(),
-                PERCENT * found.wins() / Math.max(1, found.orders()));
+                wins);
     }
 }

@@ -6,6 +6,7 @@ import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
+import java.util.OptionalInt;
 
 /**
  * Finds all problems of a level's text, including those that appear only in play; takes seconds.
@@ -21,7 +22,11 @@ public final class LevelProof {
      */
     public static List<Problem> problems(String name, String text) {
         LoadedLevel loaded = new LevelLoader().parse(name, text);
-        loaded.level().ifPresent(level -> LevelCheck.play(loaded, level, List.of(Preset.GAME)));
+        loaded.level()
+                .ifPresent(
+                        level ->
+                                LevelCheck.play(
+                                        loaded, level, List.of(Preset.GAME), OptionalInt.empty()));
         return loaded.problems();
     }
 }

@@ -49,7 +49,10 @@ public final class LevelsCheck {
         LoadedLevel loaded = loader.load(file);
         List<String> proved =
                 loaded.level()
-                        .map(level -> LevelCheck.play(loaded, level, presets))
+                        .map(
+                                level ->
+                                        LevelCheck.play(
+                                                loaded, level, presets, LevelShelf.place(file)))
                         .orElse(List.of());
         out.println(file + ": " + (loaded.hasErrors() ? "ERRORS" : "ok"));
         proved.forEach(line -> out.println("  " + line));

@@ -49,18 +49,12 @@ final class OrderSearch {
     /**
      * What the search found.
      *
-     * @param orders games of par clicks that were played
-     * @param wins how many of them were won
-     * @param isWhole whether no round was a sample
+     * @param wins how many games of par clicks are won
+     * @param fewer how many of those with fewer clicks; the search ends with the first
      * @param winning what is clicked in the games won
      * @param shorter clicks that win with less than par, if there are any
      */
-    record Found(
-            int orders,
-            int wins,
-            boolean isWhole,
-            Set<String> winning,
-            Optional<List<Act>> shorter) {}
+    record Found(Share wins, Share fewer, Set<String> winning, Optional<List<Act>> shorter) {}
 
     /** Some clicks and how they ended. */
     private record Course(List<Act> clicks, Verdict verdict) {}
@@ -68,17 +62,23 @@ final class OrderSearch {
     Found search() {
         List<Course> round = List.of(play(List.of()));
         boolean isWhole = true;
+        int fewer = 0;
         for (int clicks = 1; ; clicks++) {
             List<List<Act>> all = new ArrayList<>();
             round.forEach(course -> all.addAll(nexts(course)));
+            boolean wasWhole = isWhole;
             isWhole &= all.size() <= MOST_GAMES;
             round = played(sample(all));
             List<Course> won = round.stream().filter(course -> course.verdict.isWon()).toList();
+            Share wins = new Share(won.size(), round.size(), isWhole);
             if (clicks == level.limits().par()) {
-                return new Found(round.size(), won.size(), isWhole, targets(won), Optional.empty());
+                Share none = new Share(0, fewer, wasWhole);
+                return new Found(wins, none, targets(won), Optional.empty());
             }
+            fewer += round.size();
             if (!won.isEmpty()) {
-                return new Found(0, 0, isWhole, targets(won), Optional.of(won.get(0).clicks));
+                List<Act> first = won.get(0).clicks;
+                return new Found(wins, wins, targets(won), Optional.of(first));
             }
         }
     }

@@ -65,8 +65,8 @@ public final class Sieve {
         return new Figures(
                 solution.clicks().size(),
                 level.clickables().size(),
-                found.orders(),
-                found.wins(),
+                found.wins().games(),
+                found.wins().wins(),
                 leads.first(found.winning()),
                 leads.forgotten(solution),
                 winning.game().steps(),

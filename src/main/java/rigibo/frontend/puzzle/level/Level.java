@@ -106,6 +106,14 @@ public record Level(
         return Stream.concat(ofBodies, ofJoints).toList();
     }
 
+    /** What a click does to something by its id; nothing where it cannot be clicked. */
+    public Optional<Verb> verb(String target) {
+        return clickables().stream()
+                .filter(it -> it.id().equals(target))
+                .findFirst()
+                .map(Clickable::verb);
+    }
+
     /** Whether an id is that of a joint. */
     public boolean isJoint(String target) {
         return joints.stream().anyMatch(joint -> joint.id().filter(target::equals).isPresent());

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -22,16 +23,15 @@ import java.util.stream.Stream;
  */
 public final class LevelShelf {
 
-    private static final Pattern NUMBERED = Pattern.compile("(\\d{1,9}).*\\.json");
-    private static final Comparator<Path> BY_NUMBER =
-            Comparator.comparingInt(LevelShelf::number).thenComparing(LevelShelf::name);
+    /** The world's number, from 1, and the level's within it. */
+    private static final Pattern NUMBERED = Pattern.compile("([1-9])-(\\d\\d)-.+\\.json");
 
     /** What level files are held against, among the class path's resources. */
     static final String SCHEMA = "/levels/level.schema.json";
 
     private LevelShelf() {}
 
-    /** The files {@code NN-name.json}, in the order of their numbers. */
+    /** The files {@code W-NN-name.json}, world by world, in the order of their numbers. */
     public static List<Path> files() {
         return filesIn(folder());
     }
@@ -40,7 +40,7 @@ public final class LevelShelf {
     static List<Path> filesIn(Path folder) {
         try (Stream<Path> all = Files.list(folder)) {
             return all.filter(file -> NUMBERED.matcher(name(file)).matches())
-                    .sorted(BY_NUMBER)
+                    .sorted(Comparator.comparing(LevelShelf::name))
                     .toList();
         } catch (IOException broken) {
             throw new UncheckedIOException("cannot list the levels in " + folder, broken);
@@ -86,9 +86,26 @@ public final class LevelShelf {
         return folder.startsWith(here) ? here.relativize(folder) : folder;
     }
 
-    private static int number(Path file) {
+    /**
+     * The number of the world that a level of the game is in, from 1.
+     *
+     * @param file one of {@link #files()}
+     */
+    public static int world(Path file) {
         Matcher matcher = NUMBERED.matcher(name(file));
-        return matcher.matches() ? Integer.parseInt(matcher.group(1)) : Integer.MAX_VALUE;
+        if (!matcher.matches()) {
+            throw new IllegalArgumentException(
+                    "a level of the game must be called W-NN-name.json, was " + name(file));
+        }
+        return Integer.parseInt(matcher.group(1));
+    }
+
+    /** The place in its world of a level of the game, from 1; nothing for other files. */
+    public static OptionalInt place(Path file) {
+        Matcher matcher = NUMBERED.matcher(name(file));
+        return matcher.matches()
+                ? OptionalInt.of(Integer.parseInt(matcher.group(2)))
+                : OptionalInt.empty();
     }
 
     private static String name(Path file) {

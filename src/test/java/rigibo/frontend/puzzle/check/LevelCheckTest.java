@@ -15,6 +15,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Predicate;
 
 /** What only playing shows, each with its own message. */
 class LevelCheckTest {
@@ -28,6 +29,9 @@ class LevelCheckTest {
                             "{\"t\": 1.0, \"body\": \"box\"}",
                             "{\"t\": 1.0, \"body\": \"box\"}, {\"t\": 2.0, \"body\": \"roof\"}");
 
+    private static final Predicate<String> OUT_OF_BOUNDS =
+            line -> line.startsWith("  out of bounds: ");
+
     @TempDir private Path folder;
 
     private static String box(String id, double y) {
@@ -39,9 +43,13 @@ class LevelCheckTest {
     }
 
     private List<String> check(String text) {
+        return check(text, "a.json");
+    }
+
+    private List<String> check(String text, String name) {
         StringWriter out = new StringWriter();
         try {
-            Path file = Files.writeString(folder.resolve("a.json"), text);
+            Path file = Files.writeString(folder.resolve(name), text);
             new LevelsCheck(List.of(Preset.GAME), new PrintWriter(out)).run(List.of(file));
         } catch (IOException broken) {
             throw new java.io.UncheckedIOException(broken);
@@ -55,9 +63,10 @@ class LevelCheckTest {
                 .containsExactly(
                         "a.json: ok",
                         "  box at 1.0 s: wins 41 of 41 games",
+                        "  none of all 0 games of fewer clicks wins",
                         "  1 of all 1 orders and times of 1 clicks win (100 %)",
-                        "  first clicks that mislead: none",
-                        "  the rest misleads without: none",
+                        "  first clicks that mislead: 0",
+                        "  the rest misleads without: 0",
                         "1 levels, 0 with errors");
     }
 
@@ -68,9 +77,22 @@ class LevelCheckTest {
                         "a.json: ok",
                         "  box at 1.0 s, roof at 2.0 s: wins 41 of 41 games",
                         "  no single click wins")
-                .element(3)
+                .element(4)
                 .asString()
                 .contains("of all", "(100 %)");
+    }
+
+    /** In its world it ends, and no luck should win it. */
+    @Test
+    void aLevelOfTheGameIsHeldToTheBoundsOfItsPlace() {
+        assertThat(check(LevelTexts.SOUND, "1-03-a.json")).noneMatch(OUT_OF_BOUNDS);
+        assertThat(check(LevelTexts.SOUND, "1-09-a.json"))
+                .startsWith("1-09-a.json: ok")
+                .filteredOn(OUT_OF_BOUNDS)
+                .containsExactly(
+                        "  out of bounds: par is less than 2",
+                        "  out of bounds: more than 5 % of orders and times win",
+                        "  out of bounds: nothing misleads");
     }
 
     @Test
@@ -81,7 +103,7 @@ class LevelCheckTest {
         assertThat(check(elsewhere))
                 .contains(
                         "a.json:19:5: /solutions/0: E151 wins only 0 of 41 games with everything up"
-                                + " to 10 mm aside and clicks up to 0.1 s late; lost at GAME: the"
+                                + " to 10 mm aside and clicks up to 0.25 s late; lost at GAME: the"
                                 + " ball is lost: nothing left to delete at 2.00 s");
     }
 

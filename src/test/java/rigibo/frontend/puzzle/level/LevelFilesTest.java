@@ -15,6 +15,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 class LevelFilesTest {
@@ -107,24 +109,35 @@ class LevelFilesTest {
     }
 
     @Test
-    void levelsAreSortedByTheirNumberNotByTheirLetters() throws IOException {
-        for (String name : List.of("10-b.json", "2-c.json", "02-a.json", "level.schema.json")) {
+    void levelsAreSortedByWorldAndNumber() throws IOException {
+        List<String> sorted = List.of("1-02-b.json", "1-10-a.json", "2-01-c.json");
+        for (String name : List.of("2-01-c.json", "1-10-a.json", "1-02-b.json", "3.json")) {
             Files.createFile(folder.resolve(name));
         }
-        assertThat(LevelShelf.filesIn(folder))
-                .extracting(file -> file.getFileName().toString())
-                .containsExactly("02-a.json", "2-c.json", "10-b.json");
+        List<Path> files = LevelShelf.filesIn(folder);
+        assertThat(files).extracting(file -> file.getFileName().toString()).isEqualTo(sorted);
+        assertThat(files).extracting(LevelShelf::world).containsExactly(1, 1, 2);
+    }
+
+    /** More would not fit on their page of the list. */
+    @Test
+    void aWorldHoldsTenLevelsAtMost() {
+        Map<Integer, Long> counts =
+                LevelShelf.files().stream()
+                        .collect(Collectors.groupingBy(LevelShelf::world, Collectors.counting()));
+        assertThat(counts).containsOnlyKeys(1, 2, 3, 4);
+        assertThat(counts.values()).allMatch(count -> count <= 10);
     }
 
     @Test
-    void theGamesOwnLevelsHaveTitleHintSolutionAndStar() {
+    void theGamesOwnLevelsHaveTitleHintAndSolution() {
         for (Path file : LevelShelf.files()) {
             Level level = loader.load(file).level().orElseThrow();
             assertThat(level.title().byLanguage()).as(level.id()).containsKeys("en", "de");
             assertThat(level.hint().byLanguage()).as(level.id()).containsKeys("en", "de");
             assertThat(level.solutions()).as(level.id()).isNotEmpty();
-            Wording star = level.star().orElseThrow().text();
-            assertThat(star.byLanguage()).as(level.id()).containsKeys("en", "de");
+            Star star = level.star().orElseThrow();
+            assertThat(star.text().byLanguage()).as(level.id()).containsKeys("en", "de");
         }
     }
 
