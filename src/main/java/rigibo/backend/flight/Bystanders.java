@@ -25,6 +25,12 @@ final class Bystanders {
      */
     private static final double WEDGED = 2;
 
+    /**
+     * Largest allowance, in widths. A storey of a falling pyramid that is not looked for sinks into
+     * the one below by as much, and what is above falls farther.
+     */
+    private static final double MOST_ALLOWED = 2e-3;
+
     /** Deviation from its path, in widths, up to which a body's neighbours need not be searched. */
     private final double allowance;
 
@@ -45,8 +51,9 @@ final class Bystanders {
     private final Pose poseB = new Pose();
 
     /**
-     * Sets the allowance to twice the square root of the impact tolerance, in widths. For a body
-     * one metre wide the root is the geometric mean of the tolerance and the width.
+     * Sets the allowance to twice the square root of the impact tolerance, in widths, within its
+     * bound. For a body one metre wide the root is the geometric mean of the tolerance and the
+     * width.
      */
     Bystanders(
             DataStorage data,
@@ -54,7 +61,7 @@ final class Bystanders {
             Broadphase broadphase,
             Trajectories paths,
             double impactTolerance) {
-        allowance = 2 * Math.sqrt(impactTolerance);
+        allowance = Math.min(MOST_ALLOWED, 2 * Math.sqrt(impactTolerance));
         bodies = data.bodies;
         pairs = data.pairs;
         counters = data.counters;

@@ -28,7 +28,7 @@ final class Followers {
      * Way that is handed on, as a share of the depth from which on a flyer joins: in a column, the
      * many small ones of its contacts add up.
      */
-    private static final double LEAST = 1.0 / 32;
+    private static final double LEAST = 0.3;
 
     private final Bodies bodies;
     private final Pairs pairs;

@@ -71,9 +71,9 @@ class FollowersTest {
         requireJoined(joins, disc(-END - 1 - gap, 0.2));
     }
 
-    /** A depth of a hundredth of a metre, 1/200 of a width, is left to the next step. */
+    /** A depth of a millimetre, 1/2000 of a width, is left to the next step. */
     @ParameterizedTest
-    @CsvSource({"0.018, false", "0.022, true"})
+    @CsvSource({"0.0018, false", "0.0022, true"})
     void whatIsLedByLittleLeavesFlyersAlone(double speed, boolean joins) {
         air.add(Air.wall(-1, -1));
         column(-speed);
