@@ -62,7 +62,7 @@ final class MadeLevelScene implements Scene {
     /** The tiles: the way back, then those for the level, the first of which plays it. */
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
-        laid.add(tile(EDGE, 22, 130, "‹  " + words.of("menu.levels"), director::showLevels));
+        laid.add(wayBack(director));
         if (making.made().isPresent()) {
             double x = occasion.hasOther() ? PICTURE_LEFT : (WIDTH - BUTTON_WIDTH) / 2;
             laid.add(tile(x, PLAY_TOP, BUTTON_WIDTH, words.of("menu.play"), this::play));
@@ -72,6 +72,12 @@ final class MadeLevelScene implements Scene {
             laid.add(tile(x, PLAY_TOP, BUTTON_WIDTH, words.of("made.other"), this::other));
         }
         tiles = new Tiles(laid, chosen);
+    }
+
+    /** The tile that leads back to the list of levels. */
+    static Tile wayBack(Director director) {
+        String name = "‹  " + director.words().of("menu.levels");
+        return tile(EDGE, 22, 130, name, director::showLevels);
     }
 
     private static Tile tile(double x, double y, double width, String name, Runnable action) {

@@ -10,7 +10,6 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
-import rigibo.frontend.scene.widget.Tile;
 import rigibo.frontend.scene.widget.Tiles;
 
 import java.util.List;
@@ -36,9 +35,7 @@ final class MadeReplayScene implements Scene {
         this.replay = replay;
         this.making = making;
         words = director.words();
-        String back = "‹  " + words.of("menu.levels");
-        Tile.Look look = (canvas, tile, isChosen) -> Print.button(canvas, tile, back, isChosen);
-        tiles = new Tiles(List.of(new Tile(20, 22, 130, 42, look, director::showLevels)), 0);
+        tiles = new Tiles(List.of(MadeLevelScene.wayBack(director)), 0);
     }
 
     @Override

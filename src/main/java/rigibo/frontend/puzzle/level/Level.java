@@ -44,6 +44,15 @@ public record Level(
 
     /** Returns this level with another id and title, which do not count for its hash. */
     public Level called(String otherId, Wording otherTitle) {
+        return with(otherId, otherTitle, origin);
+    }
+
+    /** Returns this level as one that was made; that does not count for its hash either. */
+    public Level madeFrom(Origin seed) {
+        return with(id, title, Optional.of(seed));
+    }
+
+    private Level with(String otherId, Wording otherTitle, Optional<Origin> otherOrigin) {
         return new Level(
                 otherId,
                 otherTitle,
@@ -56,24 +65,7 @@ public record Level(
                 joints,
                 solutions,
                 star,
-                origin);
-    }
-
-    /** Returns this level as one that was made; that does not count for its hash either. */
-    public Level madeFrom(Origin seed) {
-        return new Level(
-                id,
-                title,
-                hint,
-                world,
-                limits,
-                balls,
-                platform,
-                bodies,
-                joints,
-                solutions,
-                star,
-                Optional.of(seed));
+                otherOrigin);
     }
 
     /** A 64-bit hash of all that play depends on; texts, solutions and star do not count. */
