@@ -97,6 +97,7 @@ final class TourCommand implements Callable<Integer> {
         all.add(new Tour.Stop("menu", Catalog::menu, true));
         all.add(new Tour.Stop("levels", Catalog::levels, true));
         all.add(new Tour.Stop("settings", Catalog::settings, true));
+        all.add(new Tour.Stop("keys", Catalog::keys, true));
         Catalog.sheets().forEach(entry -> all.add(new Tour.Stop(entry.name(), entry.open(), true)));
         Catalog.entries().forEach(entry -> all.add(stop(entry)));
         Set<String> exhibits =

@@ -5,6 +5,7 @@ import rigibo.frontend.demo.Demos;
 import rigibo.frontend.editor.Editor;
 import rigibo.frontend.gallery.Gallery;
 import rigibo.frontend.laboratory.Laboratory;
+import rigibo.frontend.menu.KeysScene;
 import rigibo.frontend.menu.LevelsScene;
 import rigibo.frontend.menu.MenuScene;
 import rigibo.frontend.menu.SettingsScene;
@@ -112,6 +113,11 @@ public final class Catalog {
     /** What a player may choose for every scene. */
     public static Scene settings(Director director) {
         return new SettingsScene(director);
+    }
+
+    /** What keys do, for a player to choose. */
+    public static Scene keys(Director director) {
+        return new KeysScene(director);
     }
 
     /** The list of levels. */

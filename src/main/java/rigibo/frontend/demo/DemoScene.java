@@ -1,5 +1,6 @@
 package rigibo.frontend.demo;
 
+import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
@@ -11,6 +12,7 @@ import rigibo.frontend.scene.accuracy.AccuracyMeter;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.trial.Trials;
 
+import java.util.Optional;
 import java.util.function.Function;
 
 /**
@@ -144,6 +146,11 @@ final class DemoScene implements Scene {
     @Override
     public void scrolled(double notches, double x, double y) {
         bench.camera().zoom(Math.pow(ZOOM, notches), x, y);
+    }
+
+    @Override
+    public Optional<Action.Place> place() {
+        return Optional.of(Action.Place.DEMO);
     }
 
     @Override

@@ -93,7 +93,7 @@ public final class Display implements Director {
         this.player = player;
         this.vsync = vsync;
         this.clock = clock;
-        words = new Words(player.settings().language());
+        words = new Words(player.settings());
         speaker.settings(player.settings());
     }
 
@@ -165,7 +165,7 @@ public final class Display implements Director {
     public void settings(Settings changed) {
         player.settings(changed);
         speaker.settings(changed);
-        words = new Words(changed.language());
+        words = new Words(changed);
         if (window != null) {
             window.fill(changed.isFullScreen());
         }

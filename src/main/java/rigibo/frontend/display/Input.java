@@ -3,6 +3,7 @@ package rigibo.frontend.display;
 import static org.lwjgl.glfw.GLFW.*;
 
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.PointerButton;
@@ -11,7 +12,9 @@ import rigibo.frontend.scene.Scene;
 import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 
 /**
  * Passes GLFW's events to the scene: its callbacks call these methods, and so does the tour.
@@ -26,18 +29,26 @@ final class Input {
     private final Runnable fullScreen;
     private final Runnable mute;
     private final Runnable paste;
+    private final Supplier<KeyBindings> chosen;
     private double x = -1;
     private double y = -1;
     private Layout layout = Layout.ALONE;
     private double pixelsPerUnit = 1;
     private boolean isControlHeld;
 
-    Input(Scene scene, Runnable close, Runnable fullScreen, Runnable mute, Runnable paste) {
+    Input(
+            Scene scene,
+            Runnable close,
+            Runnable fullScreen,
+            Runnable mute,
+            Runnable paste,
+            Supplier<KeyBindings> chosen) {
         this.scene = scene;
         this.close = close;
         this.fullScreen = fullScreen;
         this.mute = mute;
         this.paste = paste;
+        this.chosen = chosen;
     }
 
     /**
@@ -117,7 +128,12 @@ final class Input {
         }
     }
 
+    /** Handles a key of the keyboard, which means what the player has chosen. */
     void key(int key, int action) {
+        key(key, action, chosen.get());
+    }
+
+    private void key(int key, int action, KeyBindings bindings) {
         if (action == GLFW_RELEASE) {
             return;
         }
@@ -130,8 +146,14 @@ final class Input {
         } else if (key == GLFW_KEY_M && !scene.isTyping()) {
             once(mute, action);
         } else if (KEYS.containsKey(key)) {
-            scene.keyPressed(KEYS.get(key));
+            meant(KEYS.get(key), bindings).ifPresent(scene::keyPressed);
         }
+    }
+
+    private Optional<Key> meant(Key pressed, KeyBindings bindings) {
+        return scene.place()
+                .map(place -> bindings.meant(place, pressed))
+                .orElse(Optional.of(pressed));
     }
 
     /** Ignores repetitions of held keys that switch something. */
@@ -141,20 +163,20 @@ final class Input {
         }
     }
 
-    /** Handles a gamepad's button that was pressed or repeats. */
+    /** Handles a gamepad's button that was pressed or repeats; it means the same for everybody. */
     void gamepad(GamepadButton button) {
         modifiers(button.modifiers());
-        key(button.key(), GLFW_PRESS);
+        key(button.key(), GLFW_PRESS, KeyBindings.FIRST);
         modifiers(0);
     }
 
-    /** Presses and releases the key of a command. */
+    /** Presses and releases the first key of a command. */
     void press(Key meant) {
         KEYS.forEach(
                 (code, key) -> {
                     if (key == meant && code != GLFW_KEY_KP_ENTER) {
-                        key(code, GLFW_PRESS);
-                        key(code, GLFW_RELEASE);
+                        key(code, GLFW_PRESS, KeyBindings.FIRST);
+                        key(code, GLFW_RELEASE, KeyBindings.FIRST);
                     }
                 });
     }

@@ -77,7 +77,8 @@ final class Window {
                         this::close,
                         display::toggleFullScreen,
                         display::toggleMute,
-                        display::paste);
+                        display::paste,
+                        () -> display.settings().keys());
         listen();
         listenToDrops(display::dropped);
         fill(display.settings().isFullScreen());

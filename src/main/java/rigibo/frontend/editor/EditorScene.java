@@ -6,6 +6,7 @@ import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.pane.Pane;
 import rigibo.frontend.editor.pane.Spots;
+import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
@@ -180,6 +181,11 @@ final class EditorScene implements Scene {
     @Override
     public boolean isTyping() {
         return played().map(Scene::isTyping).orElseGet(shop.typing()::isOn);
+    }
+
+    @Override
+    public Optional<Action.Place> place() {
+        return played().flatMap(Scene::place);
     }
 
     @Override

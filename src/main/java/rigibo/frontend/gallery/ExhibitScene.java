@@ -1,6 +1,7 @@
 package rigibo.frontend.gallery;
 
 import rigibo.backend.RigidBody;
+import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
@@ -133,6 +134,11 @@ final class ExhibitScene implements Scene {
     @Override
     public void scrolled(double notches, double x, double y) {
         camera.zoom(Math.pow(ZOOM, notches), x, y);
+    }
+
+    @Override
+    public Optional<Action.Place> place() {
+        return Optional.of(Action.Place.DEMO);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package rigibo.frontend.laboratory;
 
+import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
@@ -12,6 +13,7 @@ import rigibo.frontend.scene.ghost.Divergence;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * Two accuracies side by side, started from the same state, in real time or as near to it as
@@ -150,6 +152,11 @@ final class LaboratoryScene implements Scene {
         if (bar.hot() >= 0) {
             open(bar.hot());
         }
+    }
+
+    @Override
+    public Optional<Action.Place> place() {
+        return Optional.of(Action.Place.DEMO);
     }
 
     @Override

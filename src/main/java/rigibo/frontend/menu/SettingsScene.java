@@ -73,6 +73,7 @@ public final class SettingsScene implements Scene {
                         words.of("settings.full-screen"),
                         () -> settings().isFullScreen(),
                         () -> choose(settings().withFullScreen(!settings().isFullScreen()))),
+                new Button(words.of("settings.keys"), () -> director.show(new KeysScene(director))),
                 new Button(words.of("menu.back"), director::showMenu));
     }
 

@@ -6,6 +6,7 @@ import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
@@ -190,6 +191,11 @@ public final class PuzzleScene implements Scene {
     @Override
     public void held(Set<Modifier> modifiers) {
         isShiftHeld = modifiers.contains(Modifier.SHIFT);
+    }
+
+    @Override
+    public Optional<Action.Place> place() {
+        return Optional.of(Action.Place.LEVEL);
     }
 
     @Override

@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.replay.Verdict;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
@@ -87,6 +88,11 @@ final class ReplayScene implements Scene {
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         isPaused = !isPaused;
+    }
+
+    @Override
+    public Optional<Action.Place> place() {
+        return Optional.of(Action.Place.REPLAY);
     }
 
     @Override

@@ -1,17 +1,31 @@
 package rigibo.frontend.save;
 
 import rigibo.frontend.document.Value;
+import rigibo.frontend.scene.Action;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Settings;
 
 import tools.jackson.databind.node.ObjectNode;
 
+import java.util.EnumMap;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /**
  * Settings in JSON. A setting that is missing, because it is newer than the file, gets its default.
  */
 record SettingsFormat(Settings initial) implements Format<Settings> {
+
+    private static final Map<String, Key> FREE =
+            KeyBindings.FREE.stream()
+                    .collect(Collectors.toMap(SettingsFormat::name, Function.identity()));
+
+    private static String name(Key key) {
+        return key.name().toLowerCase(Locale.ROOT);
+    }
 
     @Override
     public Settings read(Value json) {
@@ -23,7 +37,27 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
                 json.optional("detail").word(Settings.Detail.class, initial.detail()),
                 json.optional("fullScreen").truth(initial.isFullScreen()),
                 json.optional("ghost").truth(initial.hasGhost()),
-                json.optional("music").number(0, 1, initial.music()));
+                json.optional("music").number(0, 1, initial.music()),
+                keys(json.optional("keys")));
+    }
+
+    private static KeyBindings keys(Value json) {
+        if (json.isThere()) {
+            json.object();
+        }
+        Map<Action, Key> stated = new EnumMap<>(Action.class);
+        for (Action action : Action.values()) {
+            Value key = json.optional(action.title());
+            if (key.isThere()) {
+                String name = key.word(FREE.keySet(), name(action.first()));
+                stated.put(action, FREE.get(name));
+            }
+        }
+        boolean isSound = KeyBindings.isSound(stated);
+        if (!isSound) {
+            json.wrong("must give no key to two actions of one place");
+        }
+        return KeyBindings.completed(isSound ? stated : Map.of());
     }
 
     @Override
@@ -36,6 +70,8 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
         json.put("fullScreen", settings.isFullScreen());
         json.put("ghost", settings.hasGhost());
         json.put("music", settings.music());
+        ObjectNode keys = json.putObject("keys");
+        settings.keys().keys().forEach((action, key) -> keys.put(action.title(), name(key)));
     }
 
     @Override
@@ -48,7 +84,8 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
                 later(before, onDisk, own, Settings::detail),
                 later(before, onDisk, own, Settings::isFullScreen),
                 later(before, onDisk, own, Settings::hasGhost),
-                later(before, onDisk, own, Settings::music));
+                later(before, onDisk, own, Settings::music),
+                later(before, onDisk, own, Settings::keys));
     }
 
     /** Our own choice where one was made since, for it is the latest; else what the file has. */

@@ -54,7 +54,12 @@ public interface Scene {
     /** The wheel turned; positive away from the user. */
     default void scrolled(double notches, double x, double y) {}
 
-    /** A key went down, or repeats. */
+    /** The kind of scene whose keys the player may choose; none where keys are as they are. */
+    default Optional<Action.Place> place() {
+        return Optional.empty();
+    }
+
+    /** A key went down, or repeats; where keys may be chosen, the first one of what was meant. */
     default void keyPressed(Key key) {}
 
     /** What is held down while other keys and buttons are pressed; told before each of them. */

@@ -13,6 +13,7 @@ import java.util.Set;
  * @param isFullScreen whether windows fill the screen
  * @param hasGhost whether the best run of a level is shown beside the game
  * @param music volume of the music beside all other sounds, 0 to 1; 0 for none
+ * @param keys what keys do in levels, replays and demos
  */
 public record Settings(
         String language,
@@ -22,7 +23,8 @@ public record Settings(
         Detail detail,
         boolean isFullScreen,
         boolean hasGhost,
-        double music) {
+        double music,
+        KeyBindings keys) {
 
     /** The languages there are words in, as ISO 639 names them. */
     public static final Set<String> LANGUAGES = Set.of("en", "de");
@@ -59,50 +61,69 @@ public record Settings(
     /** What holds before anything was chosen, in the system's language where we have it. */
     public static Settings initial(String systemLanguage) {
         String language = LANGUAGES.contains(systemLanguage) ? systemLanguage : "en";
-        return new Settings(language, 0.7, false, Motion.FULL, Detail.AUTOMATIC, false, false, 0.5);
+        return new Settings(
+                language,
+                0.7,
+                false,
+                Motion.FULL,
+                Detail.AUTOMATIC,
+                false,
+                false,
+                0.5,
+                KeyBindings.FIRST);
     }
 
     /** Returns these settings with another language. */
     public Settings withLanguage(String other) {
-        return new Settings(other, volume, isMuted, motion, detail, isFullScreen, hasGhost, music);
+        return new Settings(
+                other, volume, isMuted, motion, detail, isFullScreen, hasGhost, music, keys);
     }
 
     /** Returns these settings with another volume, 0 to 1. */
     public Settings withVolume(double other) {
         return new Settings(
-                language, other, isMuted, motion, detail, isFullScreen, hasGhost, music);
+                language, other, isMuted, motion, detail, isFullScreen, hasGhost, music, keys);
     }
 
     /** Returns these settings with sound or without. */
     public Settings withMuted(boolean other) {
-        return new Settings(language, volume, other, motion, detail, isFullScreen, hasGhost, music);
+        return new Settings(
+                language, volume, other, motion, detail, isFullScreen, hasGhost, music, keys);
     }
 
     /** Returns these settings with another amount of motion. */
     public Settings withMotion(Motion other) {
         return new Settings(
-                language, volume, isMuted, other, detail, isFullScreen, hasGhost, music);
+                language, volume, isMuted, other, detail, isFullScreen, hasGhost, music, keys);
     }
 
     /** Returns these settings with another amount of detail. */
     public Settings withDetail(Detail other) {
         return new Settings(
-                language, volume, isMuted, motion, other, isFullScreen, hasGhost, music);
+                language, volume, isMuted, motion, other, isFullScreen, hasGhost, music, keys);
     }
 
     /** Returns these settings for windows or the full screen. */
     public Settings withFullScreen(boolean other) {
-        return new Settings(language, volume, isMuted, motion, detail, other, hasGhost, music);
+        return new Settings(
+                language, volume, isMuted, motion, detail, other, hasGhost, music, keys);
     }
 
     /** Returns these settings with the ghost of the best run or without. */
     public Settings withGhost(boolean other) {
-        return new Settings(language, volume, isMuted, motion, detail, isFullScreen, other, music);
+        return new Settings(
+                language, volume, isMuted, motion, detail, isFullScreen, other, music, keys);
     }
 
     /** Returns these settings with another volume of the music, 0 to 1. */
     public Settings withMusic(double other) {
         return new Settings(
-                language, volume, isMuted, motion, detail, isFullScreen, hasGhost, other);
+                language, volume, isMuted, motion, detail, isFullScreen, hasGhost, other, keys);
+    }
+
+    /** Returns these settings with other keys. */
+    public Settings withKeys(KeyBindings other) {
+        return new Settings(
+                language, volume, isMuted, motion, detail, isFullScreen, hasGhost, music, other);
     }
 }

@@ -3,21 +3,39 @@ package rigibo.frontend.scene;
 import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.ResourceBundle;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
-/** The game's texts in one language, by keys, from {@code rigibo/words.properties}. */
+/**
+ * The game's texts in one language, by keys, from {@code rigibo/words.properties}. A text says
+ * {@code <restart>} where it names the key of an action.
+ */
 public final class Words {
 
     private static final String BUNDLE = "rigibo.words";
 
+    private static final Pattern ACTION = Pattern.compile("<([a-z]+)>");
+
     private final Locale locale;
     private final ResourceBundle bundle;
+    private final KeyBindings bindings;
 
     /**
-     * The words of a language.
+     * The words of a language, with the keys as they are at first.
      *
      * @param language one of {@link Settings#LANGUAGES}
      */
     public Words(String language) {
+        this(language, KeyBindings.FIRST);
+    }
+
+    /** The words of a player's language, with the keys that were chosen. */
+    public Words(Settings settings) {
+        this(settings.language(), settings.keys());
+    }
+
+    private Words(String language, KeyBindings bindings) {
+        this.bindings = bindings;
         locale = Locale.forLanguageTag(language);
         bundle =
                 ResourceBundle.getBundle(
@@ -33,7 +51,22 @@ public final class Words {
      * @throws java.util.MissingResourceException when no language has the key
      */
     public String of(String key, Object... values) {
-        return new MessageFormat(bundle.getString(key), locale).format(values);
+        return new MessageFormat(withKeys(bundle.getString(key)), locale).format(values);
+    }
+
+    private String withKeys(String text) {
+        return ACTION.matcher(text)
+                .replaceAll(found -> Matcher.quoteReplacement(nameOfKey(found.group(1))));
+    }
+
+    private String nameOfKey(String action) {
+        return of(bindings.of(Action.valueOf(action.toUpperCase(Locale.ROOT))));
+    }
+
+    /** The name of a key. */
+    public String of(Key key) {
+        boolean isLetter = key.compareTo(Key.A) >= 0 && key.compareTo(Key.Z) <= 0;
+        return isLetter ? key.name() : of("key." + key.name().toLowerCase(Locale.ROOT));
     }
 
     /** The language, for numbers and for the texts that levels bring. */

@@ -7,13 +7,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.Scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 class InputTest {
@@ -21,6 +24,8 @@ class InputTest {
     private final List<String> told = new ArrayList<>();
     private boolean hasUseForEscape;
     private boolean isTyping;
+    private Optional<Action.Place> place = Optional.empty();
+    private KeyBindings chosen = KeyBindings.FIRST;
 
     private final Scene scene =
             new Scene() {
@@ -38,6 +43,11 @@ class InputTest {
                 @Override
                 public void held(Set<Modifier> modifiers) {
                     told.add("held " + modifiers);
+                }
+
+                @Override
+                public Optional<Action.Place> place() {
+                    return place;
                 }
 
                 @Override
@@ -67,7 +77,8 @@ class InputTest {
                     () -> told.add("left"),
                     () -> told.add("full screen"),
                     () -> told.add("mute"),
-                    () -> told.add("paste"));
+                    () -> told.add("paste"),
+                    () -> chosen);
 
     @Test
     void escapeLeavesOnlyASceneThatHasNoUseForIt() {
@@ -148,5 +159,16 @@ class InputTest {
                         "held []",
                         "left",
                         "held []");
+    }
+
+    @Test
+    void aChosenKeyMeansItsActionWhereItMayBeChosen() {
+        chosen = chosen.with(Action.RESTART, Key.X).orElseThrow();
+        input.key(GLFW_KEY_X, GLFW_PRESS);
+        place = Optional.of(Action.Place.LEVEL);
+        input.key(GLFW_KEY_X, GLFW_PRESS);
+        input.key(GLFW_KEY_R, GLFW_PRESS);
+        input.gamepad(GamepadButton.X);
+        assertThat(told).containsExactly("X", "R", "held []", "R", "held []");
     }
 }

@@ -280,6 +280,8 @@ class MenuScenesTest {
         assertThat(settings.detail()).isEqualTo(Settings.Detail.FULL);
         assertThat(settings.isFullScreen()).isTrue();
         press(scene, Key.DOWN, Key.ENTER);
+        assertThat(shown()).isEqualTo("RigiBo – Keys");
+        press(scene, Key.DOWN, Key.ENTER);
         assertThat(director.asked).containsExactly("menu");
     }
 

@@ -8,7 +8,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.DayResult;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Totals;
@@ -83,7 +86,8 @@ class SavedPlayerTest {
                         .withDetail(Settings.Detail.LITE)
                         .withFullScreen(true)
                         .withGhost(true)
-                        .withMusic(0.15);
+                        .withMusic(0.15)
+                        .withKeys(KeyBindings.FIRST.with(Action.RESTART, Key.X).orElseThrow());
         try (SavedPlayer player = start()) {
             player.settings(chosen);
             player.progress(TWO);
@@ -231,7 +235,10 @@ class SavedPlayerTest {
                 "{\"format\": 1, \"motion\": null}",
                 "{\"format\": 1, \"detail\": null}",
                 "{\"format\": 1e308}",
-                "{\"format\": 1, \"motion\": \"wild\"}"
+                "{\"format\": 1, \"motion\": \"wild\"}",
+                "{\"format\": 1, \"keys\": 3}",
+                "{\"format\": 1, \"keys\": {\"pause\": \"enter\"}}",
+                "{\"format\": 1, \"keys\": {\"pause\": \"x\", \"undo\": \"x\"}}"
             })
     void settingsThatCannotBeAreDamaged(String damage) throws IOException {
         Files.writeString(file("settings.json"), damage);

@@ -88,7 +88,7 @@ public final class RecordingDirector implements Director {
 
     @Override
     public Words words() {
-        return new Words(settings().language());
+        return new Words(settings());
     }
 
     @Override

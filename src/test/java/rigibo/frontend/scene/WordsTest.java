@@ -34,7 +34,8 @@ class WordsTest {
 
     private static Set<String> ownKeys(String language) {
         Properties own = new Properties();
-        String file = "/rigibo/words_" + language + ".properties";
+        String file =
+                "/rigibo/words" + (language.equals("en") ? "" : "_" + language) + ".properties";
         try (var in =
                 new InputStreamReader(
                         WordsTest.class.getResourceAsStream(file), StandardCharsets.UTF_8)) {
@@ -49,6 +50,22 @@ class WordsTest {
     void speaksTheLanguageAskedForWhateverTheSystemSpeaks() {
         assertThat(new Words("de").of("puzzle.won")).isEqualTo("Gelöst!");
         assertThat(new Words("en").of("puzzle.won")).isEqualTo("Solved!");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void textsNameTheKeysThatWereChosen(String language) {
+        Settings settings = Settings.initial(language);
+        KeyBindings chosen = settings.keys().with(Action.RESTART, Key.X).orElseThrow();
+        Words words = new Words(settings.withKeys(chosen));
+        assertThat(words.of("puzzle.key.restart")).isEqualTo("X");
+        assertThat(words.of("help.keys.2")).startsWith("X ").doesNotContain("<");
+        for (Key key : KeyBindings.FREE) {
+            assertThat(words.of(key)).isNotBlank();
+        }
+        for (String key : ownKeys(language)) {
+            assertThat(words.of(key)).as(key).doesNotContainPattern("<[a-z]+>");
+        }
     }
 
     /** The second of two lines would win without a word. */

@@ -1,0 +1,95 @@
+package rigibo.frontend.menu;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.frontend.scene.Action;
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.KeyBindings;
+import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.RecordingDirector;
+
+class KeysSceneTest {
+
+    private final RecordingDirector director = new RecordingDirector();
+    private final KeysScene scene = new KeysScene(director);
+
+    private void click(String words) {
+        double[] at = RecordingCanvas.of(scene).middleOf(words);
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+    }
+
+    private Key key(Action action) {
+        return director.settings().keys().of(action);
+    }
+
+    @Test
+    void theKeyThatIsPressedNextIsTheActionsOwn() {
+        click("Restart");
+        assertThat(RecordingCanvas.of(scene).texts()).contains("press a key");
+        scene.keyPressed(Key.X);
+        assertThat(key(Action.RESTART)).isEqualTo(Key.X);
+        assertThat(RecordingCanvas.of(scene).texts()).contains("Restart has the key X now.");
+    }
+
+    @Test
+    void aTakenKeyIsSwappedAndThePageSaysSo() {
+        click("Hint");
+        scene.keyPressed(Key.P);
+        assertThat(key(Action.PAUSE)).isEqualTo(Key.H);
+        assertThat(RecordingCanvas.of(scene).texts())
+                .contains("Hint has the key P now. What P did before is done by H: Pause.");
+    }
+
+    @Test
+    void keysOfTheWindowAndOfMenusAreRefusedAndTheQuestionStays() {
+        scene.keyPressed(Key.ENTER);
+        assertThat(scene.isTyping()).as("M would switch the sound off").isTrue();
+        for (Key kept : new Key[] {Key.ENTER, Key.M, Key.UP, Key.DIGIT_1}) {
+            scene.keyPressed(kept);
+            assertThat(RecordingCanvas.of(scene).texts())
+                    .contains("This key always does what it does. Choose another one.");
+        }
+        assertThat(director.settings().keys()).isEqualTo(KeyBindings.FIRST);
+        scene.keyPressed(Key.X);
+        assertThat(key(Action.PAUSE)).isEqualTo(Key.X);
+    }
+
+    @Test
+    void escapeLeavesTheQuestionAndThenThePage() {
+        click("Ghost");
+        assertThat(scene.escaped()).isTrue();
+        assertThat(director.shown).isEmpty();
+        assertThat(scene.escaped()).isTrue();
+        assertThat(director.shown.get(0)).isInstanceOf(SettingsScene.class);
+        assertThat(director.settings().keys()).isEqualTo(KeyBindings.FIRST);
+    }
+
+    @Test
+    void allKeysCanBePutBack() {
+        click("Undo");
+        scene.keyPressed(Key.U);
+        click("As at first");
+        assertThat(director.settings().keys()).isEqualTo(KeyBindings.FIRST);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void everythingCanBeRead(String language) {
+        RecordingDirector told = new RecordingDirector(language);
+        KeysScene page = new KeysScene(told);
+        assertThat(Legibility.faults(page)).isEmpty();
+        page.keyPressed(Key.DOWN);
+        page.keyPressed(Key.ENTER);
+        assertThat(Legibility.faults(page)).isEmpty();
+        page.keyPressed(Key.DIGIT_1);
+        assertThat(Legibility.faults(page)).isEmpty();
+        page.keyPressed(Key.C);
+        assertThat(Legibility.faults(page)).isEmpty();
+    }
+}
