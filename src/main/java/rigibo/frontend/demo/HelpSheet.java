@@ -14,10 +14,10 @@ final class HelpSheet {
     /** Number of lines with keys. */
     private static final int KEYS = 7;
 
-    private static final double TOP = 60;
+    private static final double TOP = 36;
     private static final double KEY_SIZE = 18;
     private static final double KEY_HEIGHT = 28;
-    private static final double HEADING = 276;
+    private static final double HEADING = 240;
     private static final double PLAN_SIZE = 16;
     private static final double PLAN_HEIGHT = 23;
     private static final double LEFT = 40;

@@ -168,6 +168,7 @@ public final class Display implements Director {
         words = new Words(changed);
         if (window != null) {
             window.fill(changed.isFullScreen());
+            window.layOut();
         }
     }
 

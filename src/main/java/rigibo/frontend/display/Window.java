@@ -25,6 +25,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /** One window with its OpenGL context, its painter and its input, for one scene. */
 final class Window {
@@ -34,6 +35,7 @@ final class Window {
     private final Scene scene;
     private final Input input;
     private final Toast toast;
+    private final Supplier<Settings.TextSize> text;
     private final WindowSize size;
     private final Troubles troubles;
     private final long handle;
@@ -62,6 +64,7 @@ final class Window {
         this.scene = scene;
         this.size = size;
         toast = display.toast();
+        text = () -> display.settings().text();
         this.troubles = troubles;
         this.choice = choice;
         handle = GlWindow.create(scene.title(), Scene.WIDTH, Scene.HEIGHT, troubles);
@@ -118,14 +121,16 @@ final class Window {
     }
 
     /** Finds out what the window shows; what is pressed next is where it was seen. */
-    private void layOut() {
+    void layOut() {
         glfwGetWindowSize(handle, width, height);
         int units = Math.max(1, width[0]);
         glfwGetFramebufferSize(handle, width, height);
         float[] contentScale = new float[1];
         glfwGetWindowContentScale(handle, contentScale, new float[1]);
-        Layout centred = Layout.of(width[0], height[0], contentScale[0]);
-        layout = scene.hasColumns() ? centred.withColumns() : centred;
+        Layout lettered =
+                Layout.of(width[0], height[0], contentScale[0])
+                        .withText(text.get().share(), scene.mostType());
+        layout = scene.hasColumns() ? lettered.withColumns() : lettered;
         input.shows(layout, width[0] / (double) units);
     }
 

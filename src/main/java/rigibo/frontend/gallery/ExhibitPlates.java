@@ -10,6 +10,7 @@ import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Print;
 
+import java.util.List;
 import java.util.stream.Collectors;
 
 /**
@@ -22,7 +23,7 @@ final class ExhibitPlates {
     private static final double WIDTH = Scene.WIDTH - 2 * LEFT;
     private static final double HEAD = 92;
     private static final double FOOT = 62;
-    private static final double FOOT_TOP = Scene.HEIGHT - LEFT - FOOT;
+    private static final double LINE = 24;
     private static final double INDENT = LEFT + 14;
     private static final double SIZE = 16;
 
@@ -86,18 +87,26 @@ final class ExhibitPlates {
         Print.right(canvas, count, RIGHT, LEFT + 22, 20, isPaused ? Color.BRASS : Color.TEXT);
         left(canvas, titles.about(found), LEFT + 48, Color.TEXT);
         left(canvas, effects(pool), LEFT + 72, Color.TEXT_DIM);
-        canvas.panel(LEFT, FOOT_TOP, WIDTH, FOOT, 12, Color.PANEL);
+        drawFoot(canvas, pool);
+    }
+
+    private void drawFoot(Canvas canvas, Pool pool) {
+        List<String> keys = Lines.ofGroups(canvas, words.of("gallery.keys"), SIZE, INNER);
+        double top = Scene.HEIGHT - LEFT - FOOT - (keys.size() - 1) * LINE;
+        canvas.panel(LEFT, top, WIDTH, Scene.HEIGHT - LEFT - top, 12, Color.PANEL);
         String source = found.source();
         canvas.text(
                 Lines.shortened(canvas, source, SIZE, Canvas.Font.NUMBERS, INNER - BADGE),
                 INDENT,
-                FOOT_TOP + 20,
+                top + 20,
                 16,
                 Canvas.Font.NUMBERS,
                 Canvas.Align.LEFT,
                 Color.TEXT);
-        Print.right(canvas, accuracy(pool), RIGHT, FOOT_TOP + 20, 16, Color.BRASS);
-        left(canvas, words.of("gallery.keys"), FOOT_TOP + 44, Color.TEXT_DIM);
+        Print.right(canvas, accuracy(pool), RIGHT, top + 20, 16, Color.BRASS);
+        for (int i = 0; i < keys.size(); i++) {
+            left(canvas, keys.get(i), top + 44 + i * LINE, Color.TEXT_DIM);
+        }
     }
 
     private static void left(Canvas canvas, String text, double y, Color color) {

@@ -11,7 +11,7 @@ final class ExperimentBar {
     /** px. */
     static final double HEIGHT = 46;
 
-    private static final double PADDING = 6;
+    private static final double PADDING = 4;
     private static final int NOTHING = -1;
 
     private final List<String> titles;

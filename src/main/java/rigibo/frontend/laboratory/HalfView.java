@@ -103,7 +103,7 @@ final class HalfView {
 
     /** With as many digits as there is room for beside its name. */
     private String energy(Layout layout) {
-        String digits = layout.type() > 1 ? "%.4f %%" : "%.7f %%";
+        String digits = layout.type() > 1.2 ? "%.2f %%" : layout.type() > 1 ? "%.4f %%" : "%.7f %%";
         double percent = 100 * half.energyShare();
         return words.of("laboratory.share", String.format(Locale.ROOT, digits, percent));
     }

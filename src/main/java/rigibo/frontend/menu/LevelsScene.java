@@ -36,9 +36,13 @@ public final class LevelsScene implements Scene {
     /** Slot of the plate among those of cards, after the tenth. */
     private static final int PLATE_SLOT = 10;
 
-    private static final double FOOT_TOP = HEIGHT - 58;
-    private static final double FOOT_HEIGHT = 40;
-    private static final double WATCH_WIDTH = 200;
+    private static final double FOOT_TOP = HEIGHT - 60;
+    private static final double FOOT_HEIGHT = 52;
+
+    /** Between the lines of the foot, px. */
+    private static final double LINE = 23;
+
+    private static final double WATCH_WIDTH = 222;
     private static final double BUTTON_TOP = 22;
     private static final double BUTTON_WIDTH = 130;
     private static final double BUTTON_HEIGHT = 42;
@@ -242,16 +246,16 @@ public final class LevelsScene implements Scene {
     /** Draws what is chosen about a point of the foot; of a level with a star a second line. */
     private void drawAbout(Canvas canvas, double x, double y, double width) {
         Optional<String> star = isMissed ? Optional.empty() : star();
-        double up = star.isPresent() ? 9 : 0;
+        double up = star.isPresent() ? LINE / 2 : 0;
         Print.centred(canvas, about(), x, y - up, star.isPresent() ? 16 : 18, Color.TEXT);
         if (star.isPresent()) {
             String line = Lines.shortened(canvas, star.get(), 16, Canvas.Font.WORDS, width - 24);
             double half = canvas.textWidth(line, 16, Canvas.Font.WORDS) / 2;
-            Print.centred(canvas, line, x + 10, y + 10, 16, Color.BRASS);
+            Print.centred(canvas, line, x + 10, y + LINE / 2, 16, Color.BRASS);
             if (levels.hasStar(chosenLevel().orElseThrow())) {
-                Sign.star(canvas, x - half - 4, y + 10, 8, Color.BRASS);
+                Sign.star(canvas, x - half - 4, y + LINE / 2, 8, Color.BRASS);
             } else {
-                Sign.outlinedStar(canvas, x - half - 4, y + 10, 7, 1.5, Color.BRASS);
+                Sign.outlinedStar(canvas, x - half - 4, y + LINE / 2, 7, 1.5, Color.BRASS);
             }
         }
     }

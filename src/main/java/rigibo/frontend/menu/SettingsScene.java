@@ -23,7 +23,7 @@ import java.util.Locale;
 /** The player's settings; every change takes effect at once and is kept. */
 public final class SettingsScene implements Scene {
 
-    private static final double PANEL_WIDTH = 480;
+    private static final double PANEL_WIDTH = 560;
     private static final double TOP = 190;
     private static final List<String> LANGUAGES = Settings.LANGUAGES.stream().sorted().toList();
 
@@ -69,6 +69,7 @@ public final class SettingsScene implements Scene {
                         this::isCalm,
                         () -> choose(settings().withMotion(otherMotion()))),
                 detail(words),
+                text(words),
                 new Toggle(
                         words.of("settings.full-screen"),
                         () -> settings().isFullScreen(),
@@ -88,6 +89,16 @@ public final class SettingsScene implements Scene {
                 names,
                 () -> settings().detail().ordinal(),
                 index -> choose(settings().withDetail(Settings.Detail.values()[index])));
+    }
+
+    private Choice text(Words words) {
+        return new Choice(
+                words.of("settings.text"),
+                Arrays.stream(Settings.TextSize.values())
+                        .map(size -> Math.round(100 * size.share()) + " %")
+                        .toList(),
+                () -> settings().text().ordinal(),
+                index -> choose(settings().withText(Settings.TextSize.values()[index])));
     }
 
     private Settings settings() {

@@ -18,7 +18,7 @@ record WorldPlate(LevelList levels, int world, Words words) {
 
     private static final double MARGIN = 18;
     private static final double NAME = 28;
-    private static final double TEXT = 60;
+    private static final double TEXT = 55;
     private static final double LINE = 22;
 
     /** From the plate's lower edge to the middle of its last line, px. */

@@ -7,6 +7,10 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
+
+import java.util.List;
 
 /** The controls around a replay: title, counts, a time line with its clicks, and keys. */
 final class ReplayBar {
@@ -25,6 +29,9 @@ final class ReplayBar {
     private static final double TIME_Y = View.BAR_FOOT - 9;
 
     private static final double KEYS_Y = (View.KEYS_TOP + Scene.HEIGHT) / 2;
+
+    private static final double KEYS_SIZE = 16;
+    private static final double LINE = 25;
 
     private final Recording recording;
 
@@ -64,16 +71,19 @@ final class ReplayBar {
         return LEFT + share * (RIGHT - LEFT);
     }
 
-    /** Draws the keys below the play. */
+    /** Draws the keys below the play, and over its foot where one line does not hold them. */
     void drawKeys(Canvas canvas, Words words) {
-        canvas.text(
-                words.of("replay.keys"),
-                Scene.WIDTH / 2.0,
-                KEYS_Y,
-                16,
-                Canvas.Font.WORDS,
-                Canvas.Align.CENTRE,
-                Color.TEXT);
+        List<String> lines =
+                Lines.ofGroups(canvas, words.of("replay.keys"), KEYS_SIZE, Scene.WIDTH - 2 * EDGE);
+        double above = (lines.size() - 1) * LINE;
+        if (above > 0) {
+            canvas.panel(EDGE, View.KEYS_TOP - above, INNER, Scene.HEIGHT, 14, Color.PANEL);
+        }
+        double y = KEYS_Y - above;
+        for (String line : lines) {
+            Print.centred(canvas, line, Scene.WIDTH / 2.0, y, KEYS_SIZE, Color.TEXT);
+            y += LINE;
+        }
     }
 
     private static void text(

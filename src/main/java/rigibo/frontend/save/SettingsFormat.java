@@ -38,6 +38,7 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
                 json.optional("fullScreen").truth(initial.isFullScreen()),
                 json.optional("ghost").truth(initial.hasGhost()),
                 json.optional("music").number(0, 1, initial.music()),
+                json.optional("text").word(Settings.TextSize.class, initial.text()),
                 keys(json.optional("keys")));
     }
 
@@ -70,6 +71,7 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
         json.put("fullScreen", settings.isFullScreen());
         json.put("ghost", settings.hasGhost());
         json.put("music", settings.music());
+        json.put("text", settings.text().name().toLowerCase(Locale.ROOT));
         ObjectNode keys = json.putObject("keys");
         settings.keys().keys().forEach((action, key) -> keys.put(action.title(), name(key)));
     }
@@ -85,6 +87,7 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
                 later(before, onDisk, own, Settings::isFullScreen),
                 later(before, onDisk, own, Settings::hasGhost),
                 later(before, onDisk, own, Settings::music),
+                later(before, onDisk, own, Settings::text),
                 later(before, onDisk, own, Settings::keys));
     }
 

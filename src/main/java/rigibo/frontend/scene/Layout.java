@@ -28,6 +28,9 @@ public record Layout(
     /** Wider than this a column of plates is hard to read, px. */
     private static final double WIDEST_COLUMN = 330;
 
+    /** Factor by which the smallest text of most scenes can be enlarged. */
+    static final double MOST_TYPE = 1.3;
+
     /** The smallest text of scenes, px. */
     private static final double SMALLEST_TEXT = 16;
 
@@ -55,6 +58,17 @@ public record Layout(
     }
 
     /**
+     * Returns a layout with larger text.
+     *
+     * @param share of the usual size, 1 or more
+     * @param most factor that there is room for, together with that of a small window
+     */
+    public Layout withText(double share, double most) {
+        double larger = Math.max(type, Math.min(most, type * share));
+        return new Layout(left, top, width, height, ratio, larger);
+    }
+
+    /**
      * Returns a layout with room for plates beside the scene: moves the scene to the right edge
      * where there is room for one column, and none for two.
      */
@@ -76,7 +90,7 @@ public record Layout(
 
     /** Width of a column beside the scene, px. */
     public double columnWidth() {
-        return Math.min(WIDEST_COLUMN, -left - 2 * GAP);
+        return Math.min(Math.max(WIDEST_COLUMN, COLUMN * type), -left - 2 * GAP);
     }
 
     /** Left edge of the column on the left, next to the scene, px. */

@@ -25,6 +25,11 @@ public interface Scene {
         return false;
     }
 
+    /** Factor up to which its small text can grow; see {@link Layout#withText}. */
+    default double mostType() {
+        return Layout.MOST_TYPE;
+    }
+
     /**
      * Goes on by one {@link #STEP}: once in a turn of the loop, more often when pictures are late.
      */

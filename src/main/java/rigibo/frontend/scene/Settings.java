@@ -13,6 +13,7 @@ import java.util.Set;
  * @param isFullScreen whether windows fill the screen
  * @param hasGhost whether the best run of a level is shown beside the game
  * @param music volume of the music beside all other sounds, 0 to 1; 0 for none
+ * @param text how large small text is
  * @param keys what keys do in levels, replays and demos
  */
 public record Settings(
@@ -24,6 +25,7 @@ public record Settings(
         boolean isFullScreen,
         boolean hasGhost,
         double music,
+        TextSize text,
         KeyBindings keys) {
 
     /** The languages there are words in, as ISO 639 names them. */
@@ -43,6 +45,24 @@ public record Settings(
         FULL,
         /** No shadows, no grain, no background but its colour. */
         LITE
+    }
+
+    /** How large small text is. */
+    public enum TextSize {
+        USUAL(1),
+        LARGE(1.15),
+        LARGEST(1.3);
+
+        private final double share;
+
+        TextSize(double share) {
+            this.share = share;
+        }
+
+        /** As a share of the usual size. */
+        public double share() {
+            return share;
+        }
     }
 
     public Settings {
@@ -70,60 +90,121 @@ public record Settings(
                 false,
                 false,
                 0.5,
+                TextSize.USUAL,
                 KeyBindings.FIRST);
     }
 
     /** Returns these settings with another language. */
     public Settings withLanguage(String other) {
         return new Settings(
-                other, volume, isMuted, motion, detail, isFullScreen, hasGhost, music, keys);
+                other, volume, isMuted, motion, detail, isFullScreen, hasGhost, music, text, keys);
     }
 
     /** Returns these settings with another volume, 0 to 1. */
     public Settings withVolume(double other) {
         return new Settings(
-                language, other, isMuted, motion, detail, isFullScreen, hasGhost, music, keys);
+                language,
+                other,
+                isMuted,
+                motion,
+                detail,
+                isFullScreen,
+                hasGhost,
+                music,
+                text,
+                keys);
     }
 
     /** Returns these settings with sound or without. */
     public Settings withMuted(boolean other) {
         return new Settings(
-                language, volume, other, motion, detail, isFullScreen, hasGhost, music, keys);
+                language, volume, other, motion, detail, isFullScreen, hasGhost, music, text, keys);
     }
 
     /** Returns these settings with another amount of motion. */
     public Settings withMotion(Motion other) {
         return new Settings(
-                language, volume, isMuted, other, detail, isFullScreen, hasGhost, music, keys);
+                language,
+                volume,
+                isMuted,
+                other,
+                detail,
+                isFullScreen,
+                hasGhost,
+                music,
+                text,
+                keys);
     }
 
     /** Returns these settings with another amount of detail. */
     public Settings withDetail(Detail other) {
         return new Settings(
-                language, volume, isMuted, motion, other, isFullScreen, hasGhost, music, keys);
+                language,
+                volume,
+                isMuted,
+                motion,
+                other,
+                isFullScreen,
+                hasGhost,
+                music,
+                text,
+                keys);
     }
 
     /** Returns these settings for windows or the full screen. */
     public Settings withFullScreen(boolean other) {
         return new Settings(
-                language, volume, isMuted, motion, detail, other, hasGhost, music, keys);
+                language, volume, isMuted, motion, detail, other, hasGhost, music, text, keys);
     }
 
     /** Returns these settings with the ghost of the best run or without. */
     public Settings withGhost(boolean other) {
         return new Settings(
-                language, volume, isMuted, motion, detail, isFullScreen, other, music, keys);
+                language, volume, isMuted, motion, detail, isFullScreen, other, music, text, keys);
     }
 
     /** Returns these settings with another volume of the music, 0 to 1. */
     public Settings withMusic(double other) {
         return new Settings(
-                language, volume, isMuted, motion, detail, isFullScreen, hasGhost, other, keys);
+                language,
+                volume,
+                isMuted,
+                motion,
+                detail,
+                isFullScreen,
+                hasGhost,
+                other,
+                text,
+                keys);
     }
 
     /** Returns these settings with other keys. */
     public Settings withKeys(KeyBindings other) {
         return new Settings(
-                language, volume, isMuted, motion, detail, isFullScreen, hasGhost, music, other);
+                language,
+                volume,
+                isMuted,
+                motion,
+                detail,
+                isFullScreen,
+                hasGhost,
+                music,
+                text,
+                other);
+    }
+
+    /** Returns these settings with another size of text. */
+    public Settings withText(TextSize other) {
+        return new Settings(
+                language,
+                volume,
+                isMuted,
+                motion,
+                detail,
+                isFullScreen,
+                hasGhost,
+                music,
+                other,
+                keys);
     }
 }

@@ -23,7 +23,7 @@ class DemoLegibilityTest {
 
     private static final int SECOND = 60;
 
-    /** The usual window, the smallest, and those with one column and two, at most shapes. */
+    /** The usual window, the smallest, and those with one column and two, with larger text, too. */
     private static final List<Layout> LAYOUTS =
             Stream.of(
                             Layout.of(612, 680, 1),
@@ -33,6 +33,12 @@ class DemoLegibilityTest {
                             Layout.of(1280, 800, 1),
                             Layout.of(1366, 680, 1),
                             Layout.of(1920, 1080, 1),
+                            Layout.of(612, 680, 1).withText(1.3, 1.3),
+                            Layout.of(1024, 768, 1).withText(1.3, 1.3),
+                            Layout.of(1366, 768, 1).withText(1.15, 1.3),
+                            Layout.of(1366, 768, 1).withText(1.3, 1.3),
+                            Layout.of(1920, 1080, 1).withText(1.3, 1.3),
+                            Layout.ALONE.withText(1.3, 1.3),
                             Layout.ALONE)
                     .map(Layout::withColumns)
                     .toList();

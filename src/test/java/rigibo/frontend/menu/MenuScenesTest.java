@@ -271,6 +271,7 @@ class MenuScenesTest {
         press(scene, Key.DOWN, Key.ENTER);
         press(scene, Key.DOWN, Key.ENTER);
         press(scene, Key.DOWN, Key.RIGHT);
+        press(scene, Key.DOWN, Key.RIGHT);
         press(scene, Key.DOWN, Key.ENTER);
         Settings settings = director.settings();
         assertThat(settings.volume()).isCloseTo(0.65, within(1e-12));
@@ -278,6 +279,7 @@ class MenuScenesTest {
         assertThat(settings.isMuted()).isTrue();
         assertThat(settings.motion()).isEqualTo(Settings.Motion.REDUCED);
         assertThat(settings.detail()).isEqualTo(Settings.Detail.FULL);
+        assertThat(settings.text()).isEqualTo(Settings.TextSize.LARGE);
         assertThat(settings.isFullScreen()).isTrue();
         press(scene, Key.DOWN, Key.ENTER);
         assertThat(shown()).isEqualTo("RigiBo – Keys");

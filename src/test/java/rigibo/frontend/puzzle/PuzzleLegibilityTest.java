@@ -41,7 +41,11 @@ class PuzzleLegibilityTest {
 
     /** Windows with room for columns: the least of it, in a low one, and more than enough. */
     private static final List<Layout> WIDE =
-            List.of(Layout.of(1280, 800, 1), Layout.of(1366, 680, 1), Layout.of(1920, 1080, 1));
+            List.of(
+                    Layout.of(1280, 800, 1),
+                    Layout.of(1366, 680, 1),
+                    Layout.of(1366, 768, 1).withText(1.3, 1.3),
+                    Layout.of(1920, 1080, 1));
 
     static Stream<Case> cases() {
         return Levels.entries().stream()

@@ -87,6 +87,7 @@ class SavedPlayerTest {
                         .withFullScreen(true)
                         .withGhost(true)
                         .withMusic(0.15)
+                        .withText(Settings.TextSize.LARGEST)
                         .withKeys(KeyBindings.FIRST.with(Action.RESTART, Key.X).orElseThrow());
         try (SavedPlayer player = start()) {
             player.settings(chosen);
@@ -236,6 +237,7 @@ class SavedPlayerTest {
                 "{\"format\": 1, \"detail\": null}",
                 "{\"format\": 1e308}",
                 "{\"format\": 1, \"motion\": \"wild\"}",
+                "{\"format\": 1, \"text\": \"tiny\"}",
                 "{\"format\": 1, \"keys\": 3}",
                 "{\"format\": 1, \"keys\": {\"pause\": \"enter\"}}",
                 "{\"format\": 1, \"keys\": {\"pause\": \"x\", \"undo\": \"x\"}}"

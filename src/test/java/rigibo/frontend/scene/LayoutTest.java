@@ -117,4 +117,15 @@ class LayoutTest {
         assertThat(none.width() * none.ratio()).isPositive();
         assertThat(none.height() * none.ratio()).isPositive();
     }
+
+    /** Small text grows; a small window, which grows it already, has no room for all of that. */
+    @Test
+    void aPlayersTextIsLargerAsFarAsThereIsRoom() {
+        assertThat(Layout.ALONE.withText(1.15, 1.3).textSize(16))
+                .isCloseTo(18.4, within(ROUND_OFF));
+        assertThat(Layout.ALONE.withText(1.3, 1.3).textSize(20)).isCloseTo(20.8, within(ROUND_OFF));
+        assertThat(Layout.ALONE.withText(1.3, 1.3).textSize(40)).isEqualTo(40);
+        Layout small = Layout.of(612, 680, 1).withText(1.3, 1.3);
+        assertThat(small.textSize(16)).isCloseTo(20.8, within(ROUND_OFF));
+    }
 }

@@ -24,6 +24,12 @@ public final class Legibility {
      */
     public static List<String> faults(Scene scene) {
         List<String> faults = new ArrayList<>();
+        for (double share : new double[] {1.3, 1.15}) {
+            faults(scene, Layout.ALONE.withText(share, scene.mostType()))
+                    .forEach(fault -> faults.add(fault + " with text of " + share));
+        }
+        faults(scene, SMALLEST_WINDOW.withText(1.3, scene.mostType()))
+                .forEach(fault -> faults.add(fault + " in a small window with large text"));
         faults(scene, SMALLEST_WINDOW).forEach(fault -> faults.add(fault + " in a small window"));
         // The usual one last: what is pressed afterwards is where it was drawn last.
         faults.addAll(faults(scene, Layout.ALONE));

@@ -13,8 +13,8 @@ public final class DistanceCurve {
 
     private static final double SIZE = 16;
 
-    /** For the words of the scale, px. */
-    private static final double MARGIN = 52;
+    /** Around the words of the scale, px. */
+    private static final double ASIDE = 6;
 
     private static final double LEAST_BETWEEN_LABELS = 20;
 
@@ -29,6 +29,7 @@ public final class DistanceCurve {
         while (apart * decade < LEAST_BETWEEN_LABELS) {
             apart += 3;
         }
+        double margin = margin(canvas);
         double half = canvas.layout().textSize(SIZE) / 2;
         for (int power = 0; power > LOWEST; power -= apart) {
             double at = y + (HIGHEST - power) * decade;
@@ -38,13 +39,19 @@ public final class DistanceCurve {
         for (int i = 0; i < divergence.count(); i++) {
             heights[i] = heightOf(divergence.distance(i));
         }
-        double span = (width - MARGIN - 6) * (divergence.count() - 1) / (Divergence.KEPT - 1);
-        canvas.graph(heights, divergence.count(), x + MARGIN, y, span, height, Color.BRASS);
+        double span = (width - margin - ASIDE) * (divergence.count() - 1) / (Divergence.KEPT - 1);
+        canvas.graph(heights, divergence.count(), x + margin, y, span, height, Color.BRASS);
+    }
+
+    /** Width of the scale's words, with room around them, px. */
+    private static double margin(Canvas canvas) {
+        return canvas.textWidth("1 mm", SIZE, Canvas.Font.NUMBERS) + 2 * ASIDE;
     }
 
     private static void label(
             Canvas canvas, int power, double x, double y, double width, double middle) {
-        canvas.line(x + MARGIN, y, x + width - 6, y, 1, Color.PANEL_LIT);
+        double left = x + margin(canvas);
+        canvas.line(left, y, x + width - ASIDE, y, 1, Color.PANEL_LIT);
         String words =
                 switch (power) {
                     case 0 -> "1 m";
@@ -55,7 +62,7 @@ public final class DistanceCurve {
                 };
         canvas.text(
                 words,
-                x + MARGIN - 6,
+                left - ASIDE,
                 middle,
                 SIZE,
                 Canvas.Font.NUMBERS,

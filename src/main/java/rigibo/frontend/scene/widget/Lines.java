@@ -9,6 +9,7 @@ import java.util.List;
 public final class Lines {
 
     private static final String MORE = "…";
+    private static final String APART = "   ";
 
     private Lines() {}
 
@@ -32,6 +33,28 @@ public final class Lines {
                 int fitting = fitting(canvas, longer, size, font, width);
                 lines.add(longer.substring(0, fitting));
                 longer = longer.substring(fitting);
+            }
+            line = longer;
+        }
+        lines.add(line);
+        return lines;
+    }
+
+    /**
+     * A text broken between groups of words, such as a key and what it does, which stand three
+     * spaces apart.
+     *
+     * @param size of the text, px
+     * @param width of a line, px
+     */
+    public static List<String> ofGroups(Canvas canvas, String text, double size, double width) {
+        List<String> lines = new ArrayList<>();
+        String line = "";
+        for (String group : text.split(APART)) {
+            String longer = line.isEmpty() ? group : line + APART + group;
+            if (canvas.textWidth(longer, size, Canvas.Font.WORDS) > width && !line.isEmpty()) {
+                lines.add(line);
+                longer = group;
             }
             line = longer;
         }
