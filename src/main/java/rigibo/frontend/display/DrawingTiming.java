@@ -85,7 +85,7 @@ public final class DrawingTiming {
             canvas.panel(8, 8, WIDTH - 16, 48, 14, Color.PANEL);
             canvas.text(title(), 26, 32, 20, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.BRASS);
             canvas.text(
-                    "1/2 clicks    3.4 s",
+                    "2 clicks    3.4 s",
                     WIDTH - 70,
                     32,
                     18,

@@ -17,7 +17,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** The bar above the play: title, state of the game, clicks, time, and the cooldown's ring. */
+/** The bar above the play: title, state of the game, counts, and the cooldown's ring. */
 final class Hud {
 
     private static final double EDGE = 8;
@@ -39,12 +39,20 @@ final class Hud {
     private final Level level;
     private final Lesson lesson;
 
+    private final Counts counts;
+
+    /** Left edge of the counts as they were last drawn, px. */
+    private double countsLeft = Scene.WIDTH;
+
+    private boolean isAsked;
+
     /** Share of real time at which the world runs. */
     private double pace = 1;
 
     Hud(Level level, Lesson lesson) {
         this.level = level;
         this.lesson = lesson;
+        counts = new Counts(level.limits());
     }
 
     void paced(double share) {
@@ -105,20 +113,30 @@ final class Hud {
             Canvas canvas, Words words, Session session, Refusal refusal, Motion motion) {
         PuzzleGame game = session.game();
         canvas.panel(EDGE, EDGE, Scene.WIDTH - 2 * EDGE, HEIGHT, 14, Color.PANEL);
-        String counts =
-                words.of("puzzle.counts", game.clicks(), level.limits().par(), game.seconds());
         boolean isSpent = refusal.is(Refusal.Reason.NO_CLICKS_LEFT);
         double aside = refusal.shake(motion);
-        canvas.text(
-                counts,
-                COUNTS_RIGHT + (isSpent ? aside : 0),
-                MIDDLE,
-                WORDS_SIZE,
-                Canvas.Font.NUMBERS,
-                Canvas.Align.RIGHT,
-                isSpent ? Color.BAD : Color.TEXT);
+        double left =
+                counts.draw(
+                        canvas,
+                        words,
+                        game,
+                        COUNTS_RIGHT + (isSpent ? aside : 0),
+                        MIDDLE,
+                        isSpent ? Color.BAD : Color.TEXT);
         CooldownRing.drawInBar(canvas, RING_X, MIDDLE, game, refusal, motion);
-        return COUNTS_RIGHT - canvas.textWidth(counts, WORDS_SIZE, Canvas.Font.NUMBERS);
+        countsLeft = left;
+        return left;
+    }
+
+    /** Draws what counts and ring mean while the pointer is on them, over all that is below. */
+    void drawHelp(Canvas canvas, Words words) {
+        if (isAsked) {
+            counts.drawHelp(canvas, words);
+        }
+    }
+
+    void pointerMoved(double x, double y) {
+        isAsked = x >= countsLeft && x <= Scene.WIDTH - EDGE && y >= EDGE && y <= View.BAR_FOOT;
     }
 
     /** The state of the game; of several messages only the most urgent one. */

@@ -21,7 +21,7 @@ import java.util.stream.Collectors;
 /**
  * What the first level with a verb teaches, until it was solved: a hand shows the first click, be
  * there known verbs beside it or not. The first level of all also says, as they happen, what the
- * cooldown and the hold are.
+ * cooldown, the counted clicks and the hold are.
  */
 final class Lesson {
 
@@ -87,7 +87,10 @@ final class Lesson {
         if (game.held() > 0) {
             return Optional.of("puzzle.lesson.hold");
         }
-        return game.cooldownLeft() > 0 ? Optional.of("puzzle.lesson.cooldown") : Optional.empty();
+        if (game.cooldownLeft() > 0) {
+            return Optional.of("puzzle.lesson.cooldown");
+        }
+        return game.clicks() > 0 ? Optional.of("puzzle.lesson.par") : Optional.empty();
     }
 
     /** Draws the hand while nothing was clicked yet. */

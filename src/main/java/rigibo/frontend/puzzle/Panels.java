@@ -157,6 +157,7 @@ final class Panels {
         session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, foot()));
         keys.draw(canvas, words, commands(offered), lit());
         end().ifPresent(panel -> panel.draw(canvas, words, motion));
+        hud.drawHelp(canvas, words);
     }
 
     private void drawDrawer(Canvas canvas) {
@@ -250,6 +251,7 @@ final class Panels {
 
     void pointerMoved(double x, double y) {
         buttons().ifPresent(row -> row.point(x, y));
+        hud.pointerMoved(x, y);
         keys.pointerMoved(x, y);
         effects.pointerMoved(x, y);
     }

@@ -46,9 +46,8 @@ final class ReplayBar {
         text(canvas, title, LEFT, MIDDLE, TITLE_SIZE, Color.BRASS);
         double left = LEFT + canvas.textWidth(title, TITLE_SIZE, Canvas.Font.WORDS) + GAP;
         text(canvas, state, left, MIDDLE, WORDS_SIZE, Color.TEXT);
-        int par = recording.level().limits().par();
         canvas.text(
-                words.of("puzzle.counts", game.clicks(), par, game.seconds()),
+                Counts.counts(words, recording.level().limits(), game),
                 RIGHT,
                 MIDDLE,
                 WORDS_SIZE,

@@ -17,9 +17,14 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Settings.Motion;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
-/** The first click is shown by a hand, and cooldown and hold are explained in the first level. */
+/**
+ * The first click is shown by a hand, and cooldown, clicks and hold are explained in the first
+ * level.
+ */
 class LessonTest {
 
     private static final double SCALE = 80;
@@ -128,10 +133,13 @@ class LessonTest {
     /** In every language, in the first level of the game. */
     @ParameterizedTest
     @CsvSource({
-        "en, next click when the ring is full, keep it there until the ring is full",
-        "de, 'Warte auf den vollen Ring', 'Bleib bis zum vollen Ring'"
+        "en, next click when the ring is full, 'the fewer clicks, the better the medal',"
+                + " keep it there until the ring is full",
+        "de, 'Warte auf den vollen Ring', 'je weniger Klicks, desto besser',"
+                + " 'Bleib bis zum vollen Ring'"
     })
-    void theWordsFitIntoTheBar(String language, String cooldown, String hold) {
+    void theWordsFitIntoTheBar(String language, String cooldown, String par, String hold) {
+        Set<String> seen = new HashSet<>();
         PlayedLevel played = new PlayedLevel(Levels.all().get(0), language, Motion.FULL);
         for (Click click : played.level.solutions().get(0).clicks()) {
             LevelBody body =
@@ -141,7 +149,11 @@ class LessonTest {
                             .orElseThrow();
             played.turns(120).click(body.x(), body.y()).turns(1);
             assertThat(played.texts()).contains(cooldown);
+            played.turns(61);
+            assertThat(played.texts()).containsAnyOf(par, hold);
+            seen.addAll(played.texts());
         }
+        assertThat(seen).contains(par);
         for (int i = 0; i < PlayedLevel.LONG_ENOUGH && !played.texts().contains(hold); i++) {
             played.turns(1);
         }

@@ -121,10 +121,10 @@ final class PlayedLevel {
         return canvas().texts();
     }
 
-    /** The bar's counts: clicks of par, and time. */
+    /** The bar's counts: clicks and time. */
     String counts() {
         return texts().stream()
-                .filter(words -> words.contains(" clicks "))
+                .filter(words -> words.matches("\\d+ clicks? .*"))
                 .findFirst()
                 .orElseThrow();
     }

@@ -80,9 +80,9 @@ class ShowTest {
         failThrice();
         played.keys(Key.H).press(SOLUTION).turns(1);
         assertThat(played.texts()).contains(DEMONSTRATION, "Stop");
-        assertThat(played.counts()).startsWith("0/1");
+        assertThat(played.counts()).startsWith("0 clicks ");
         played.turns(60);
-        assertThat(played.counts()).as("the stored click at 1 s").startsWith("1/1");
+        assertThat(played.counts()).as("the stored click at 1 s").startsWith("1 click ");
         played.turns(4 * 60);
         assertThat(played.texts()).contains(DEMONSTRATION).doesNotContain("Solved!");
         assertThat(played.progress().isSolved()).isFalse();
@@ -106,7 +106,7 @@ class ShowTest {
         failThrice();
         played.keys(Key.H, Key.V).turns(1).clickWall();
         assertThat(played.texts()).contains(DEMONSTRATION);
-        assertThat(played.counts()).startsWith("0/1");
+        assertThat(played.counts()).startsWith("0 clicks ");
         played.keys(Key.BACKSPACE, Key.E, Key.TAB, Key.ENTER);
         assertThat(played.texts()).doesNotContain("gravity");
     }
@@ -126,7 +126,7 @@ class ShowTest {
         String counts = played.counts();
         played.press("Watch replay").turns(10);
         assertThat(played.texts()).contains(AGAIN).doesNotContain("Solved!");
-        assertThat(played.counts()).startsWith("1/1").isNotEqualTo(counts);
+        assertThat(played.counts()).startsWith("1 click ").isNotEqualTo(counts);
         played.turns(10 * 60);
         assertThat(played.texts()).contains("Solved!");
         assertThat(played.counts()).isEqualTo(counts);
