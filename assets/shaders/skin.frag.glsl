@@ -6,7 +6,7 @@ uniform int layer;
 uniform int detailed; // 0: without grain; what tells one skin from another stays
 out vec4 colour;
 
-const int RIGIBO = 0, STONE = 1, IRON = 2, ICE = 3, RUBBER = 4, WOOD = 5;
+const int RIGIBO = 0, STONE = 1, IRON = 2, ICE = 3, RUBBER = 4, WOOD = 5, GOAL = 7;
 const float TEXELS = 512.0;
 
 float hash(vec2 p) {
@@ -98,6 +98,14 @@ vec3 wood() {
     return c * (1.0 + 0.16 * fibre + 0.10 * grain(vec2(5.0, 9.0)));
 }
 
+/** Chequered, woven cloth; two rows of squares cover a goal of 0.3 m. */
+vec3 goal() {
+    vec2 turn = sin(3.14159265 * 26.0 * place);
+    float light = clamp(turn.x * turn.y * 9.0 + 0.5, 0.0, 1.0);
+    vec3 c = mix(vec3(0.090, 0.430, 0.360), vec3(0.830, 0.930, 0.860), light);
+    return c * (1.0 + 0.14 * grain(vec2(220.0, 60.0)) + 0.10 * grain(vec2(60.0, 220.0)));
+}
+
 vec3 skin() {
     vec2 far = scattered(layer == STONE ? 60.0 : 9.0);
     if (layer == RIGIBO) {
@@ -114,6 +122,9 @@ vec3 skin() {
     }
     if (layer == RUBBER) {
         return rubber();
+    }
+    if (layer == GOAL) {
+        return goal();
     }
     return layer == WOOD ? wood() : ball();
 }

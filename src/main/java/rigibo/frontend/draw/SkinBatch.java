@@ -80,7 +80,7 @@ final class SkinBatch {
     private static double rounding(Skin of) {
         return switch (of) {
             case RIGIBO -> 0.075;
-            case RUBBER -> 0.06;
+            case RUBBER, GOAL -> 0.06;
             case ICE, IRON -> 0.03;
             case STONE, WOOD, BALL -> 0.02;
         };

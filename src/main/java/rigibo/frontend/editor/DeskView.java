@@ -1,7 +1,9 @@
 package rigibo.frontend.editor;
 
+import rigibo.backend.geometry.Shape;
 import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.desk.Finding;
+import rigibo.frontend.editor.draft.Box;
 import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.Grid;
@@ -10,10 +12,12 @@ import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.editor.pane.ProblemPane;
 import rigibo.frontend.editor.tool.Outlines;
+import rigibo.frontend.puzzle.Goal;
 import rigibo.frontend.puzzle.JointSketch;
 import rigibo.frontend.puzzle.Skins;
 import rigibo.frontend.puzzle.VerbMark;
 import rigibo.frontend.puzzle.level.LevelJoint;
+import rigibo.frontend.puzzle.level.Platform;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
@@ -67,16 +71,25 @@ final class DeskView {
         Draft draft = desk.draft();
         canvas.gaze(Decimal.read(draft.at("/ball/x"), 0), Decimal.read(draft.at("/ball/y"), 0));
         for (Item item : draft.items()) {
-            Point at = item.toWorld(item.form().centre());
-            double angle = Math.toRadians(item.degrees());
-            Skin skin = Skins.of(item.substance());
             item.form()
                     .shape()
                     .ifPresentOrElse(
-                            shape ->
-                                    canvas.body(
-                                            shape, at.x(), at.y(), angle, skin, Canvas.Mood.PLAIN),
-                            () -> Outlines.draw(canvas, camera, item, skin.color));
+                            shape -> drawItem(item, shape),
+                            () -> Outlines.draw(canvas, camera, item, skin(item).color));
+        }
+    }
+
+    private static Skin skin(Item item) {
+        return Skins.of(item.substance());
+    }
+
+    private void drawItem(Item item, Shape shape) {
+        double angle = Math.toRadians(item.degrees());
+        Point at = item.toWorld(item.form().centre());
+        if (item.form() instanceof Box box && item.kind() == Item.Kind.PLATFORM) {
+            Goal.draw(canvas, new Platform(at.x(), at.y(), box.width(), box.height(), angle));
+        } else {
+            canvas.body(shape, at.x(), at.y(), angle, skin(item), Canvas.Mood.PLAIN);
         }
     }
 

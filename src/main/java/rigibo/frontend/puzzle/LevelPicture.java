@@ -2,12 +2,9 @@ package rigibo.frontend.puzzle;
 
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.Shape;
 import rigibo.frontend.puzzle.level.Ball;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelJoint;
-import rigibo.frontend.puzzle.level.Platform;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
@@ -41,13 +38,6 @@ final class LevelPicture implements SceneEntry.Picture {
     /** The rectangle that the parts fill, m. */
     private final Aabb whole = new Aabb();
 
-    private record Part(Shape shape, double x, double y, double angle, Skin skin) {
-
-        void bounds(Aabb out) {
-            shape.bounds(x, y, Math.cos(angle), Math.sin(angle), out);
-        }
-    }
-
     /** A picture for a card in a list. */
     LevelPicture(Level level) {
         this(level, ON_A_CARD);
@@ -63,9 +53,7 @@ final class LevelPicture implements SceneEntry.Picture {
         first = level.balls().get(0);
         joints = level.joints();
         water = level.world().waterLevel();
-        Platform platform = level.platform();
-        Polygon plank = Polygon.box(platform.width(), platform.height());
-        parts.add(new Part(plank, platform.x(), platform.y(), platform.angle(), Skin.WOOD));
+        parts.addAll(Goal.parts(level.platform()));
         level.bodies()
                 .forEach(
                         body ->
@@ -99,9 +87,7 @@ final class LevelPicture implements SceneEntry.Picture {
         Camera camera = camera(x, y, width, height);
         canvas.camera(camera);
         canvas.gaze(first.x(), first.y());
-        for (Part part : parts) {
-            canvas.body(part.shape, part.x, part.y, part.angle, part.skin, Canvas.Mood.PLAIN);
-        }
+        parts.forEach(part -> part.draw(canvas));
         water.ifPresent(surface -> drawWater(canvas, camera, surface));
         JointPen pen = new JointPen(canvas, camera);
         joints.forEach(joint -> JointSketch.draw(pen, joint));

@@ -66,8 +66,7 @@ final class Stage {
         Pose ball = session.pose(game.balls().get(0));
         canvas.camera(camera);
         canvas.gaze(ball.x(), ball.y());
-        body(canvas, game.platform(), Skin.WOOD, Canvas.Mood.PLAIN);
-        Inlay.draw(canvas, game);
+        Goal.draw(canvas, game.level().platform());
         for (Piece piece : game.pieces()) {
             if (piece.body().isAlive()) {
                 boolean isMeant = piece.isClickable() && meant.filter(piece::equals).isPresent();

@@ -27,6 +27,7 @@ public record Color(float red, float green, float blue, float alpha) {
     public static final Color RUBBER = of(0xC4527A);
     public static final Color WOOD = of(0xB9783F);
     public static final Color BALL = of(0xF4F1E6);
+    public static final Color GOAL = of(0x2C9A80);
     public static final Color GOOD = of(0x3FC1A9);
     public static final Color BAD = of(0xF2685E);
 

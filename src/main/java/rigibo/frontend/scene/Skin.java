@@ -14,7 +14,9 @@ public enum Skin {
     /** Grain along its length. */
     WOOD(Color.WOOD),
     /** Striped, so that its rotation shows. */
-    BALL(Color.BALL);
+    BALL(Color.BALL),
+    /** Chequered cloth: where a ball is to rest. */
+    GOAL(Color.GOAL);
 
     /** Its plain colour. */
     public final Color color;

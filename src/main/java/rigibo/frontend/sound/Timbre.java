@@ -41,7 +41,7 @@ record Timbre(double frequency, double decay, double contact, double hiss, doubl
             case IRON -> new Timbre(390, 0.30, 0.0005, 0.10, BAR);
             case ICE -> new Timbre(820, 0.06, 0.0004, 0.25, BLOCK);
             case RUBBER -> new Timbre(120, 0.045, 0.0060, 0.04, 1, 2);
-            case WOOD -> new Timbre(200, 0.045, 0.0010, 0.20, BAR);
+            case WOOD, GOAL -> new Timbre(200, 0.045, 0.0010, 0.20, BAR);
             case BALL -> new Timbre(150, 0.060, 0.0030, 0.08, MEMBRANE);
         };
     }

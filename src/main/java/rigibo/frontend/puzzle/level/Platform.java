@@ -4,7 +4,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
 /**
- * The wooden platform, which never moves.
+ * The platform on which balls are to rest; it never moves.
  *
  * @param x of its centre, m
  * @param y of its centre, m, up
