@@ -16,14 +16,19 @@ final class EffectsDrawer {
     /** Upper edge of the open bar, px: below the bar with title and clicks. */
     private static final double TOP = View.BAR_FOOT + 6;
 
-    /** Upper edge of the play while the bar is open, px. */
-    static final double FOOT = TOP + EffectsBar.HEIGHT + 8;
+    /** Below the open bar, px. */
+    private static final double GAP = 8;
 
     private final Trials trials = Trials.inBackground();
     private final EffectsBar bar;
 
     EffectsDrawer(SceneEffects effects) {
         bar = new EffectsBar(effects, new CostMeter(trials));
+    }
+
+    /** Upper edge of the play while the bar is open above it, px. */
+    static double foot(Layout layout) {
+        return TOP + EffectsBar.height(layout) + GAP;
     }
 
     /** Draws the bar beside the play, in the right column. */

@@ -33,23 +33,15 @@ final class Panels {
     private final ButtonRow stop = Hud.buttons(Command.STOP);
     private Drawer open = Drawer.NONE;
 
-    /** Whether the window has room for what opens beside the play. */
-    private boolean isBeside;
+    private Layout layout = Layout.ALONE;
 
     private Optional<EndPanel> end = Optional.empty();
 
     /** The panels of which one may be open, between the bar and the play or beside it. */
     enum Drawer {
-        NONE(View.BAR_FOOT),
-        EFFECTS(EffectsDrawer.FOOT),
-        HINT(HintPlate.FOOT);
-
-        /** Upper edge of the play, px. */
-        private final double foot;
-
-        Drawer(double foot) {
-            this.foot = foot;
-        }
+        NONE,
+        EFFECTS,
+        HINT
     }
 
     Panels(Level level, Session session, View view, Words words, Lesson lesson) {
@@ -74,14 +66,26 @@ final class Panels {
 
     /** Upper edge of the play, px: what opens beside it takes nothing from it. */
     private double foot() {
-        return isBeside ? View.BAR_FOOT : open.foot;
+        if (isBeside()) {
+            return View.BAR_FOOT;
+        }
+        return switch (open) {
+            case NONE -> View.BAR_FOOT;
+            case EFFECTS -> EffectsDrawer.foot(layout);
+            case HINT -> HintPlate.FOOT;
+        };
+    }
+
+    /** Whether the window has room for what opens beside the play. */
+    private boolean isBeside() {
+        return layout.columns() == 2;
     }
 
     /** Takes what the window shows, before the play is drawn: that may be larger beside panels. */
-    void layOut(Layout layout) {
-        boolean isWide = layout.columns() == 2;
-        if (isWide != isBeside) {
-            isBeside = isWide;
+    void layOut(Layout shown) {
+        double before = foot();
+        layout = shown;
+        if (foot() != before) {
             fit();
         }
     }
@@ -164,14 +168,14 @@ final class Panels {
         switch (open) {
             case NONE -> {}
             case EFFECTS -> {
-                if (isBeside) {
+                if (isBeside()) {
                     effects.drawBeside(canvas);
                 } else {
                     effects.draw(canvas);
                 }
             }
             case HINT -> {
-                if (isBeside) {
+                if (isBeside()) {
                     hint.drawBeside(canvas, words);
                 } else {
                     hint.draw(canvas, words);

@@ -74,7 +74,7 @@ public final class PuzzleScene implements Scene {
         this.sequel = sequel;
         this.isFirst = isFirst;
         session = new Session(level, Accuracy.GAME);
-        view = new View(level.world());
+        view = new View(level);
         table = new Table(session, view.camera(), new Noises(director.sounds(), session.game()));
         this.lesson = lesson;
         panels = new Panels(level, session, view, director.words(), lesson);

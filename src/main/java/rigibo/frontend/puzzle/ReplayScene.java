@@ -37,7 +37,7 @@ final class ReplayScene implements Scene {
         this.director = director;
         this.audience = audience;
         this.recording = recording;
-        view = new View(recording.level().world());
+        view = new View(recording.level());
         bar = new ReplayBar(recording);
         begin();
     }

@@ -89,7 +89,7 @@ class LessonTest {
         Lesson lesson = Lesson.of(List.of(ROPE, ROPE), number, isSolved);
         RecordingCanvas canvas = new RecordingCanvas();
         Session session = new Session(ROPE, Accuracy.GAME);
-        lesson.draw(canvas, session, new View(ROPE.world()).camera(), Motion.REDUCED);
+        lesson.draw(canvas, session, new View(ROPE).camera(), Motion.REDUCED);
         assertThat(canvas.lines().isEmpty()).isNotEqualTo(isTaught);
     }
 
@@ -104,7 +104,7 @@ class LessonTest {
                 .draw(
                         canvas,
                         new Session(level, Accuracy.GAME),
-                        new View(level.world()).camera(),
+                        new View(level).camera(),
                         Motion.REDUCED);
         assertThat(canvas.lines()).isNotEmpty();
     }

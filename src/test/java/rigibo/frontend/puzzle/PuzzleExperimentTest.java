@@ -11,6 +11,7 @@ import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Progress;
@@ -60,20 +61,23 @@ class PuzzleExperimentTest {
 
     @ParameterizedTest
     @MethodSource("levels")
-    void isShutUntilItIsAskedForAndThenCoversNoneOfThePlayInTheFirstWorld(SceneEntry entry) {
+    void isShutUntilItIsAskedForAndThenCoversNothingThatTheLevelShows(SceneEntry entry) {
         Scene shut = entry.open().apply(director);
         assertThat(texts(shut)).contains("Effects").doesNotContain("gravity");
         shut.keyPressed(Key.E);
         RecordingCanvas open = RecordingCanvas.of(shut);
         assertThat(open.texts()).contains("gravity");
-        if (entry.challenge().orElseThrow().world() == 1) {
-            // What hangs in the later worlds hangs from beams under the ceiling.
-            assertThat(open.bodies())
-                    .allSatisfy(body -> assertThat(body[1]).isGreaterThan(EffectsDrawer.FOOT));
-        }
+        assertBodiesAreSeen(shut, Layout.ALONE.withText(1.3, 1.3));
+        assertBodiesAreSeen(shut, Layout.ALONE);
         assertThat(Legibility.faults(shut)).isEmpty();
         shut.keyPressed(Key.E);
         assertThat(texts(shut)).doesNotContain("gravity");
+    }
+
+    private static void assertBodiesAreSeen(Scene scene, Layout layout) {
+        RecordingCanvas canvas = RecordingCanvas.of(scene, layout);
+        double foot = EffectsDrawer.foot(layout);
+        assertThat(canvas.bodies()).allSatisfy(body -> assertThat(body[1]).isGreaterThan(foot));
     }
 
     @Test
@@ -139,7 +143,7 @@ class PuzzleExperimentTest {
     void aClickOnTheBarDeletesNothing() {
         scene.keyPressed(Key.E);
         for (int x = 0; x < Scene.WIDTH; x += 10) {
-            scene.pointerPressed(PointerButton.LEFT, x, EffectsDrawer.FOOT - 20);
+            scene.pointerPressed(PointerButton.LEFT, x, EffectsDrawer.foot(Layout.ALONE) - 20);
         }
         assertThat(texts(scene)).anyMatch(words -> words.startsWith("0 clicks"));
     }

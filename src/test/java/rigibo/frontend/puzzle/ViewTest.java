@@ -24,10 +24,9 @@ class ViewTest {
         View view =
                 new View(
                         LevelTexts.level(
-                                        LevelTexts.with(
-                                                "\"width\": 9, \"height\": 10",
-                                                "\"width\": " + width + ", \"height\": " + height))
-                                .world());
+                                LevelTexts.with(
+                                        "\"width\": 9, \"height\": 10",
+                                        "\"width\": " + width + ", \"height\": " + height)));
         view.fitBelow(foot);
         Camera camera = view.camera();
         assertThat(camera.screenY(height - SKY)).isGreaterThan(foot - 1e-9);

@@ -5,6 +5,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Sleep;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
@@ -32,7 +33,9 @@ public final class EffectsBar {
     /** Width from which on two rows are enough, px. */
     private static final double WIDE = 500;
 
-    /** Lines of words where text is enlarged. */
+    /** Lines of words, and where text is enlarged. */
+    private static final int SHORT_LINES = 2;
+
     private static final int MOST_LINES = 4;
 
     /** A line of words, px. */
@@ -42,7 +45,7 @@ public final class EffectsBar {
     private static final double SIZE = 16;
 
     /** Height where it is as wide as a scene and its words are short, px. */
-    public static final double HEIGHT = height(ROWS, 2);
+    public static final double HEIGHT = height(ROWS, SHORT_LINES);
 
     private final SceneEffects scene;
     private final Words words;
@@ -72,7 +75,8 @@ public final class EffectsBar {
 
     /** Draws the bar with its upper left corner at a point, px, so wide. */
     public void draw(Canvas canvas, double x, double y, double width) {
-        lay(canvas, width, 2, laid -> new Plate(x, y, width, laid));
+        int lines = width >= WIDE ? reserved(canvas.layout()) : SHORT_LINES;
+        lay(canvas, width, lines, laid -> new Plate(x, y, width, laid));
     }
 
     /**
@@ -80,8 +84,21 @@ public final class EffectsBar {
      * says, so that no chip slips away from under the pointer.
      */
     public void drawAbove(Canvas canvas, double x, double bottom, double width) {
-        int lines = canvas.layout().type() > 1 ? MOST_LINES : 2;
-        lay(canvas, width, lines, laid -> new Plate(x, bottom - laid, width, laid));
+        lay(
+                canvas,
+                width,
+                reserved(canvas.layout()),
+                laid -> new Plate(x, bottom - laid, width, laid));
+    }
+
+    /** Its height where it is as wide as a scene, whatever it says. */
+    public static double height(Layout layout) {
+        return height(ROWS, reserved(layout));
+    }
+
+    /** Lines that are left for its words, of which more take two where text is enlarged. */
+    private static int reserved(Layout layout) {
+        return layout.type() > 1 ? MOST_LINES : SHORT_LINES;
     }
 
     private void lay(Canvas canvas, double width, int lines, DoubleFunction<Plate> place) {
