@@ -37,7 +37,7 @@ public final class Display implements Director {
     private final DetailChoice choice = new DetailChoice();
     private final Player player;
     private final Toast toast = new Toast();
-    private final Gamepad gamepad = new Gamepad(button -> input().gamepad(button));
+    private final Gamepad gamepad = new Gamepad(button -> window().gamepad(button));
     private Optional<BiFunction<Director, List<Path>, Scene>> opener = Optional.empty();
     private Optional<BiFunction<Director, String, Optional<Scene>>> decoder = Optional.empty();
     private Words words;
@@ -168,7 +168,6 @@ public final class Display implements Director {
         words = new Words(changed);
         if (window != null) {
             window.fill(changed.isFullScreen());
-            window.layOut();
         }
     }
 

@@ -46,8 +46,14 @@ final class Window {
     private Layout layout;
     private boolean isFull;
 
-    /** Whether a frame was shown: nobody can mean what is pressed before. */
+    /** Darkness from which on a picture can be made out, 0 to 1. */
+    private static final double DUSK = 0.5;
+
+    /** Whether a picture was shown: nobody can mean what is pressed before. */
     private boolean isSeen;
+
+    /** Darkness of the picture that was drawn last. */
+    private double darkness = 1;
 
     /**
      * Opens a window.
@@ -106,7 +112,13 @@ final class Window {
                         input.mouseButton(button, action);
                     }
                 });
-        glfwSetScrollCallback(handle, (window, dx, dy) -> input.scroll(dy));
+        glfwSetScrollCallback(
+                handle,
+                (window, dx, dy) -> {
+                    if (isSeen) {
+                        input.scroll(dy);
+                    }
+                });
         glfwSetKeyCallback(
                 handle,
                 (window, key, code, action, mods) -> {
@@ -115,13 +127,19 @@ final class Window {
                         input.key(asLabelled(key, code), action);
                     }
                 });
-        glfwSetCharCallback(handle, (window, codePoint) -> input.character(codePoint));
+        glfwSetCharCallback(
+                handle,
+                (window, codePoint) -> {
+                    if (isSeen) {
+                        input.character(codePoint);
+                    }
+                });
         glfwSetWindowSizeCallback(handle, (window, w, h) -> layOut());
         layOut();
     }
 
     /** Finds out what the window shows; what is pressed next is where it was seen. */
-    void layOut() {
+    private void layOut() {
         glfwGetWindowSize(handle, width, height);
         int units = Math.max(1, width[0]);
         glfwGetFramebufferSize(handle, width, height);
@@ -168,6 +186,13 @@ final class Window {
         return isLetter ? GLFW_KEY_A + label.charAt(0) - 'a' : key;
     }
 
+    /** Handles a gamepad's button, as a key is handled. */
+    void gamepad(GamepadButton button) {
+        if (isSeen) {
+            input.gamepad(button);
+        }
+    }
+
     Input input() {
         return input;
     }
@@ -195,21 +220,22 @@ final class Window {
      * the frame is shown, and only then is its cost known.
      *
      * @param chosen how much the player wants to be drawn
-     * @param darkness from 0, none, to 1, black
+     * @param dark from 0, not at all, to 1, black
      */
-    void render(Settings.Detail chosen, double darkness) {
-        scene.drawn(draw(chosen, darkness));
+    void render(Settings.Detail chosen, double dark) {
+        scene.drawn(draw(chosen, dark));
         troubles.askOpenGl("while drawing " + scene.title());
     }
 
     /** Draws a picture; returns the time it took, ns. */
-    private long draw(Settings.Detail chosen, double darkness) {
+    private long draw(Settings.Detail chosen, double dark) {
         long begin = System.nanoTime();
         layOut();
         painter.begin(layout, glfwGetTime(), choice.detail(chosen));
         scene.draw(painter);
         toast.draw(painter);
-        painter.end(darkness);
+        painter.end(dark);
+        darkness = dark;
         glFinish();
         return System.nanoTime() - begin;
     }
@@ -228,7 +254,7 @@ final class Window {
     /** Shows the frame that was drawn. */
     void swap() {
         glfwSwapBuffers(handle);
-        isSeen = true;
+        isSeen = isSeen || darkness < DUSK;
     }
 
     /** Writes the frame that was drawn, but not yet shown, to a PNG file. */

@@ -34,6 +34,9 @@ final class EndPanel {
 
     private static final double REASON = 84;
 
+    /** From the line of the reason to that of a tip, px. */
+    private static final double TIP = 30;
+
     /** Height of the line that states a star. */
     private static final double STATEMENT = 34;
 
@@ -65,7 +68,13 @@ final class EndPanel {
     /** Distance from the panel's upper edge to its buttons, px. */
     private double buttonsBelow() {
         double statement = star.isPresent() ? STATEMENT : 0;
-        return stamps.isPresent() ? MEDALS + 60 + statement : REASON + 24;
+        double tip = isTimed() ? TIP : 0;
+        return stamps.isPresent() ? MEDALS + 60 + statement : REASON + 24 + tip;
+    }
+
+    /** Whether the time between clicks may have lost it, which a pause gives back. */
+    private boolean isTimed() {
+        return game.loss().isPresent() && game.level().limits().par() > 1;
     }
 
     /**
@@ -124,6 +133,9 @@ final class EndPanel {
             drawPrizes(canvas, words, stamps.get(), motion);
         } else {
             text(canvas, words.of(reason()), top + REASON, 20, Color.TEXT);
+            if (isTimed()) {
+                text(canvas, words.of("puzzle.loss.pause"), top + REASON + TIP, 17, Color.BRASS);
+            }
         }
         buttons.draw(canvas, words);
     }

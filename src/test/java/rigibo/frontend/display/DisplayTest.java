@@ -34,6 +34,12 @@ class DisplayTest {
 
         final List<String> heard = new ArrayList<>();
         int turns;
+        int keys;
+
+        @Override
+        public void keyPressed(Key key) {
+            keys++;
+        }
 
         @Override
         public String title() {
@@ -93,6 +99,28 @@ class DisplayTest {
         assertThat(picture).satisfies(file -> assertThat(Files.size(file)).isGreaterThan(40_000));
     }
 
+    /** A button that is still held in a new window, whose first pictures are dark. */
+    @Test
+    void nothingIsPressedBeforeAPictureCanBeSeen() {
+        Everything scene = new Everything();
+        Display display = display(scene);
+        List<Integer> turns = new ArrayList<>();
+        display.accompany(
+                new Display.Companion() {
+                    @Override
+                    public void beforeTurn(Display of, Scene shown) {
+                        of.window().gamepad(GamepadButton.X);
+                        turns.add(scene.keys);
+                        if (scene.turns > 2 * Curtain.FRAMES) {
+                            of.quit();
+                        }
+                    }
+                });
+        display.run(null);
+        assertThat(turns.get(1)).as("after a picture that is dark").isZero();
+        assertThat(scene.keys).isPositive();
+    }
+
     @Test
     void bringsAClickToTheSceneInLogicalPixels() {
         Everything scene = new Everything();
@@ -149,13 +177,14 @@ class DisplayTest {
                     public void beforeTurn(Display of, Scene shown) {
                         clickAsGlfwDoes();
                         heard.add(scene.heard.size());
-                        if (heard.size() == 2) {
+                        if (heard.size() == Curtain.FRAMES) {
                             of.quit();
                         }
                     }
                 });
         display.run(null);
-        assertThat(heard).containsExactly(0, 1);
+        assertThat(heard.subList(0, Curtain.FRAMES / 2)).as("pictures are dark").containsOnly(0);
+        assertThat(heard.get(Curtain.FRAMES - 1)).isPositive();
     }
 
     private static void clickAsGlfwDoes() {

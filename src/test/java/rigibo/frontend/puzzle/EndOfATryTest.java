@@ -118,6 +118,19 @@ class EndOfATryTest {
         assertThat(Proof.of(read.recording().orElseThrow()).isSame()).isTrue();
     }
 
+    /** Where one click is enough, there is no time between clicks to be gained. */
+    @Test
+    void aLossWithMoreThanOneClickTellsOfThePause() {
+        String tip = "P pauses, and clicks count while the world stands still.";
+        PlayedLevel first = new PlayedLevel(Levels.all().get(0));
+        for (int i = 0; i < 5 && !first.texts().contains("Lost"); i++) {
+            first.keys(Key.TAB, Key.ENTER).turns(120);
+        }
+        first.turns(PlayedLevel.LONG_ENOUGH);
+        assertThat(first.texts()).contains("Lost", tip);
+        assertThat(lost().texts()).contains("Lost").doesNotContain(tip);
+    }
+
     @Test
     void aLossSaysWhyAndDimsTheWorld() {
         PlayedLevel lost = lost();
