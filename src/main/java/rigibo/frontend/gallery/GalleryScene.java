@@ -4,13 +4,11 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
-import rigibo.frontend.scene.Key;
-import rigibo.frontend.scene.PointerButton;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
+import rigibo.frontend.scene.widget.TiledScene;
 import rigibo.frontend.scene.widget.Tiles;
 
 import java.util.ArrayList;
@@ -20,7 +18,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /** Every exhibit as a card with its picture, section by section; only the selected one moves. */
-final class GalleryScene implements Scene {
+final class GalleryScene implements TiledScene {
 
     private static final int COLUMNS = 4;
     private static final int ROWS = 4;
@@ -248,13 +246,8 @@ final class GalleryScene implements Scene {
     }
 
     @Override
-    public void pointerMoved(double x, double y) {
-        tiles.pointerMoved(x, y);
-    }
-
-    @Override
-    public void pointerPressed(PointerButton button, double x, double y) {
-        tiles.pointerPressed(button, x, y);
+    public Tiles tiles() {
+        return tiles;
     }
 
     @Override
@@ -262,10 +255,5 @@ final class GalleryScene implements Scene {
         if (pages() > 1 && notches != 0) {
             turn(notches > 0 ? -1 : 1);
         }
-    }
-
-    @Override
-    public void keyPressed(Key key) {
-        tiles.keyPressed(key);
     }
 }

@@ -3,16 +3,14 @@ package rigibo.frontend.menu;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
-import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Medal;
-import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Progress;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
+import rigibo.frontend.scene.widget.TiledScene;
 import rigibo.frontend.scene.widget.Tiles;
 
 import java.time.LocalDate;
@@ -20,7 +18,7 @@ import java.util.List;
 import java.util.TreeSet;
 
 /** What the player has done, as far as the files of progress know. */
-final class StatisticsScene implements Scene {
+final class StatisticsScene implements TiledScene {
 
     private static final double LEFT = 60;
     private static final double BREADTH = WIDTH - 2 * LEFT;
@@ -210,17 +208,7 @@ final class StatisticsScene implements Scene {
     }
 
     @Override
-    public void pointerMoved(double x, double y) {
-        tiles.pointerMoved(x, y);
-    }
-
-    @Override
-    public void pointerPressed(PointerButton button, double x, double y) {
-        tiles.pointerPressed(button, x, y);
-    }
-
-    @Override
-    public void keyPressed(Key key) {
-        tiles.keyPressed(key);
+    public Tiles tiles() {
+        return tiles;
     }
 }

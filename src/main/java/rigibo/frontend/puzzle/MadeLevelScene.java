@@ -3,12 +3,10 @@ package rigibo.frontend.puzzle;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
-import rigibo.frontend.scene.Key;
-import rigibo.frontend.scene.PointerButton;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
+import rigibo.frontend.scene.widget.TiledScene;
 import rigibo.frontend.scene.widget.Tiles;
 
 import java.util.ArrayList;
@@ -16,7 +14,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Shows a level that is made by chance: its picture as soon as it is there, and the results. */
-final class MadeLevelScene implements Scene {
+final class MadeLevelScene implements TiledScene {
 
     private static final double EDGE = 20;
     private static final double BUTTON_WIDTH = 157;
@@ -153,17 +151,7 @@ final class MadeLevelScene implements Scene {
     }
 
     @Override
-    public void pointerMoved(double x, double y) {
-        tiles.pointerMoved(x, y);
-    }
-
-    @Override
-    public void pointerPressed(PointerButton button, double x, double y) {
-        tiles.pointerPressed(button, x, y);
-    }
-
-    @Override
-    public void keyPressed(Key key) {
-        tiles.keyPressed(key);
+    public Tiles tiles() {
+        return tiles;
     }
 }

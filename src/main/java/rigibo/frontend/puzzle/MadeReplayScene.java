@@ -5,17 +5,16 @@ import rigibo.frontend.puzzle.replay.LoadedReplay;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
-import rigibo.frontend.scene.Key;
-import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
+import rigibo.frontend.scene.widget.TiledScene;
 import rigibo.frontend.scene.widget.Tiles;
 
 import java.util.List;
 
 /** Waits until the level of a replay is made, and then shows the replay. */
-final class MadeReplayScene implements Scene {
+final class MadeReplayScene implements TiledScene {
 
     private final Director director;
     private final Words words;
@@ -72,17 +71,7 @@ final class MadeReplayScene implements Scene {
     }
 
     @Override
-    public void pointerMoved(double x, double y) {
-        tiles.pointerMoved(x, y);
-    }
-
-    @Override
-    public void pointerPressed(PointerButton button, double x, double y) {
-        tiles.pointerPressed(button, x, y);
-    }
-
-    @Override
-    public void keyPressed(Key key) {
-        tiles.keyPressed(key);
+    public Tiles tiles() {
+        return tiles;
     }
 }

@@ -1,0 +1,27 @@
+package rigibo.frontend.scene.widget;
+
+import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Scene;
+
+/** A scene whose pointer and keys go to its tiles; one that does more with them says so itself. */
+public interface TiledScene extends Scene {
+
+    /** Its tiles at present. */
+    Tiles tiles();
+
+    @Override
+    default void pointerMoved(double x, double y) {
+        tiles().pointerMoved(x, y);
+    }
+
+    @Override
+    default void pointerPressed(PointerButton button, double x, double y) {
+        tiles().pointerPressed(button, x, y);
+    }
+
+    @Override
+    default void keyPressed(Key key) {
+        tiles().keyPressed(key);
+    }
+}
