@@ -3,6 +3,8 @@ package rigibo.frontend.puzzle;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
 
 import java.util.List;
 import java.util.Optional;
@@ -12,6 +14,7 @@ final class ButtonRow {
 
     static final double HEIGHT = 36;
     private static final double GAP = 8;
+    private static final double SIZE = 17;
     private static final int NONE = -1;
 
     private final double left;
@@ -34,15 +37,16 @@ final class ButtonRow {
             boolean isChosen = i == chosen;
             Color plate = isChosen ? Color.BRASS : Color.PANEL_LIT;
             canvas.panel(x, top, width, HEIGHT, 10, plate);
-            canvas.text(
-                    commands.get(i).words(words),
-                    x + width / 2,
-                    top + HEIGHT / 2,
-                    17,
-                    Canvas.Font.WORDS,
-                    Canvas.Align.CENTRE,
-                    isChosen ? Color.DUSK_TOP : Color.TEXT);
+            Color ink = isChosen ? Color.DUSK_TOP : Color.TEXT;
+            Print.centred(
+                    canvas, label(canvas, words, i), x + width / 2, top + HEIGHT / 2, SIZE, ink);
         }
+    }
+
+    /** As much of a button's words as fits, should the key in them have a long name. */
+    private String label(Canvas canvas, Words words, int button) {
+        String all = commands.get(button).words(words);
+        return Lines.shortened(canvas, all, SIZE, Canvas.Font.WORDS, width);
     }
 
     /** Chooses the button under a point, if there is one. */

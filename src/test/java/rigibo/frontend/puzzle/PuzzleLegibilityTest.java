@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
@@ -115,6 +118,32 @@ class PuzzleLegibilityTest {
         scene.step();
         assertLegible(scene);
         assertPlayIsUncovered(scene);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void withKeysOfLongNames(String language) {
+        RecordingDirector director = new RecordingDirector(language);
+        KeyBindings keys =
+                director.settings()
+                        .keys()
+                        .with(Action.SOLUTION, Key.BACKSPACE)
+                        .flatMap(chosen -> chosen.with(Action.RESTART, Key.SPACE))
+                        .orElseThrow();
+        director.settings(director.settings().withKeys(keys));
+        Scene scene = Levels.entries().get(0).open().apply(director);
+        for (int failures = 0; failures < 3; failures++) {
+            scene.keyPressed(Key.TAB);
+            scene.keyPressed(Key.ENTER);
+            scene.keyPressed(Key.R);
+            scene.step();
+        }
+        assertLegible(scene);
+        for (Key key : new Key[] {Key.H, Key.E}) {
+            scene.keyPressed(key);
+            scene.step();
+            assertLegible(scene);
+        }
     }
 
     private static void assertLegible(Scene scene) {
