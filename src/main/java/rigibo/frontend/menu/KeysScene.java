@@ -43,7 +43,6 @@ public final class KeysScene implements Scene {
     private static final double FOOT = 750;
 
     private final Director director;
-    private final Playground playground = new Playground();
     private final Tiles tiles;
     private Optional<Action> asked = Optional.empty();
     private String told;
@@ -165,13 +164,10 @@ public final class KeysScene implements Scene {
     }
 
     @Override
-    public void step() {
-        playground.step();
-    }
+    public void step() {}
 
     @Override
     public void draw(Canvas canvas) {
-        playground.draw(canvas);
         Print.centred(canvas, words().of("settings.keys"), WIDTH / 2.0, 66, 48, Color.BRASS);
         double right = EDGE + COLUMN_WIDTH + GAP;
         Print.left(canvas, words().of("keys.levels"), EDGE + 6, 126, 22, Color.TEXT);
@@ -194,7 +190,6 @@ public final class KeysScene implements Scene {
 
     @Override
     public void pointerMoved(double x, double y) {
-        playground.pointerMoved(x, y);
         tiles.pointerMoved(x, y);
     }
 
