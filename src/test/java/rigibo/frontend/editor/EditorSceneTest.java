@@ -90,6 +90,14 @@ class EditorSceneTest {
     }
 
     @Test
+    void aButtonOfTheTestLeadsBack() {
+        Author author = drop();
+        author.press("Test");
+        author.press("Editor");
+        assertThat(author.look().texts()).contains("Check");
+    }
+
+    @Test
     void aLevelWithErrorsIsNotPlayedButSaved() {
         Author author = Author.withNewLevel(folder);
         author.press("Test");
