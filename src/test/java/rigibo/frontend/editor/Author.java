@@ -25,6 +25,9 @@ final class Author {
     static final int CORNERS = 3;
     static final int REGULAR = 4;
     static final int BALL = 5;
+    static final int CAPSULE = 6;
+    static final int LANDSCAPE = 7;
+    static final int GLUE = 8;
 
     final RecordingDirector director;
     final EditorScene scene;

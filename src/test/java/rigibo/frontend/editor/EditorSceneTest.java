@@ -217,13 +217,17 @@ class EditorSceneTest {
         author.take(Author.CORNERS);
         author.clickWorld(4, 4);
         author.clickWorld(6, 4);
-        author.clickWorld(4.5, 4.5);
+        author.clickWorld(6, 6);
         author.clickWorld(4, 6);
         author.scene.keyPressed(Key.ENTER);
+        author.take(Author.SELECT);
+        author.drag(6, 6, 4.5, 4.5);
         assertThat(author.look().texts()).contains("Not convex");
         author.scene.pointerMoved(
-                View.camera(author.draft()).screenX(4.3), View.camera(author.draft()).screenY(4.3));
-        assertThat(author.look().texts()).anyMatch(text -> text.contains("E110"));
+                View.camera(author.draft()).screenX(4.2), View.camera(author.draft()).screenY(4.2));
+        assertThat(author.look().texts())
+                .anyMatch(text -> text.startsWith("The outline is dented"))
+                .anyMatch(text -> text.contains("E110"));
     }
 
     @Test
