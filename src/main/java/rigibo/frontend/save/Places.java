@@ -35,6 +35,11 @@ public record Places(Path settings, Path data) {
         return data.resolve("levels");
     }
 
+    /** The folder of what the player measures. */
+    public Path measurements() {
+        return data.resolve("measurements");
+    }
+
     /** The folder, within that of the player's levels, of drafts that were not saved. */
     public static Path drafts(Path levels) {
         return levels.resolve("unsaved");
