@@ -5,6 +5,7 @@ import rigibo.frontend.editor.desk.Joining;
 import rigibo.frontend.editor.draft.Item;
 import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.Point;
+import rigibo.frontend.editor.draft.Prize;
 import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.editor.pane.Bar;
 import rigibo.frontend.editor.pane.EffectPane;
@@ -127,6 +128,9 @@ final class Panes {
             Bar bar = new Bar(pane, line);
             bar.words(pane.words().of("editor.won", clicks), Color.GOOD);
             bar.button("won.keep", true, shop::keepSolution);
+            if (Prize.feat(shop.desk().draft()).isPresent()) {
+                bar.button("won.star", true, shop::keepForStar);
+            }
             bar.button("won.leave", true, shop::forgetSolution);
         } else {
             pane.text(line, shop.remark(), Canvas.Align.LEFT, Color.BRASS);

@@ -8,6 +8,7 @@ import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.Joinery;
 import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.NewLevel;
+import rigibo.frontend.editor.draft.Prize;
 import rigibo.frontend.editor.draft.Settled;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.file.DraftFiles;
@@ -166,6 +167,13 @@ final class Workshop {
         won.ifPresent(desk::keep);
         won.ifPresent(solution -> say("kept", solution.clicks().size()));
         won = Optional.empty();
+    }
+
+    /** Proves the star by the clicks that won; a check tells whether they earn it. */
+    void keepForStar() {
+        won.ifPresent(solution -> desk.change(Prize.proved(desk.draft(), solution)));
+        won = Optional.empty();
+        say("kept.star");
     }
 
     /** Plays the draft in all the ways that {@code levels check} does. */

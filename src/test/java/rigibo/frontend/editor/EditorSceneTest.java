@@ -52,12 +52,7 @@ class EditorSceneTest {
     @Test
     void aLevelIsBuiltTriedSolvedAndSavedByThePointerAlone() {
         Author author = drop();
-        author.press("Test");
-        author.click(560, 660);
-        for (int i = 0; i < LONG_ENOUGH; i++) {
-            author.scene.step();
-        }
-        assertThat(author.scene.escaped()).isTrue();
+        win(author);
         author.press("Keep");
         author.press("New level");
         author.type(" to drop");
@@ -72,6 +67,36 @@ class EditorSceneTest {
                             assertThat(body.y()).isCloseTo(1.75, within(1e-9));
                             assertThat(body.deletable()).isTrue();
                         });
+    }
+
+    @Test
+    void aStarIsChosenAfterASolutionAndProvedByAnotherTest() {
+        Author author = drop();
+        author.press("Star");
+        assertThat(author.look().texts()).contains("Win a test first,");
+        win(author);
+        author.press("Keep");
+        double[] feat = author.look().middleOf("no star");
+        author.click(author.look().middleOf("no star")[0] + 95, feat[1]);
+        assertThat(author.draft().at("/star/count").asInt()).isEqualTo(1);
+        author.click(feat[0] + 95, feat[1]);
+        assertThat(author.draft().at("/star/type").asString("")).isEqualTo("quick");
+        assertThat(author.draft().at("/star/solution"))
+                .isEqualTo(author.draft().at("/solutions/0"));
+        author.press("Solved quickly");
+        win(author);
+        author.press("For the star");
+        assertThat(author.draft().at("/star/solution/clicks").size()).isEqualTo(1);
+        assertThat(TwoBoxes.problems(author)).isEmpty();
+    }
+
+    private static void win(Author author) {
+        author.press("Test");
+        author.click(560, 660);
+        for (int i = 0; i < LONG_ENOUGH; i++) {
+            author.scene.step();
+        }
+        author.scene.escaped();
     }
 
     @Test

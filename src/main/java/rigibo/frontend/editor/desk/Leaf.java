@@ -14,13 +14,15 @@ public enum Leaf {
     /** Words and world of the level. */
     LEVEL,
     /** What wins, and how fast. */
-    RULES;
+    RULES,
+    /** The secret star. */
+    STAR;
 
     /** The leaves of a body. */
     public static final List<Leaf> OF_BODY = List.of(SHAPE, PLAY, MATTER);
 
     /** The leaves of the level as a whole. */
-    public static final List<Leaf> OF_LEVEL = List.of(LEVEL, RULES);
+    public static final List<Leaf> OF_LEVEL = List.of(LEVEL, RULES, STAR);
 
     /** Key of its name among the words of the editor. */
     public String key() {

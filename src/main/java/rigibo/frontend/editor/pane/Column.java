@@ -74,6 +74,17 @@ final class Column {
                 () -> nudge.accept(1));
     }
 
+    /** A value over a whole row, between a minus and a plus. */
+    void wide(String words, IntConsumer nudge) {
+        Area row = row();
+        Area value = new Area(row.x() + SIGN, row.y(), row.width() - 2 * SIGN, row.height());
+        Area less = new Area(row.x(), row.y(), SIGN, row.height());
+        Area more = new Area(row.right() - SIGN, row.y(), SIGN, row.height());
+        pane.button(less, "–", Color.PANEL_LIT, words, () -> nudge.accept(-1));
+        pane.value(value, words, Canvas.Font.WORDS, false);
+        pane.button(more, "+", Color.PANEL_LIT, words, () -> nudge.accept(1));
+    }
+
     /** A text over a whole row; a press on it begins to type. */
     void entry(String words, Shown shown, Runnable type) {
         Area row = row();

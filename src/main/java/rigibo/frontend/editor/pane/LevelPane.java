@@ -33,16 +33,16 @@ final class LevelPane {
     static void draw(Fields fields) {
         Leaf leaf = fields.desk().levelLeaf();
         fields.leaves(Leaf.OF_LEVEL, leaf);
-        if (leaf == Leaf.RULES) {
-            rules(fields);
-        } else {
-            level(fields);
+        switch (leaf) {
+            case RULES -> rules(fields);
+            case STAR -> StarPane.draw(fields);
+            default -> level(fields);
         }
     }
 
     private static void level(Fields fields) {
-        wording(fields, "title");
-        wording(fields, "hint");
+        wording(fields, "title", "/title");
+        wording(fields, "hint", "/hint");
         fields.number("width", "/world/width", SIZE);
         fields.number("height", "/world/height", SIZE);
         fields.number("pull.x", "/world/gravity/0", PULL);
@@ -92,15 +92,15 @@ final class LevelPane {
     }
 
     /** In the player's language; in English too as long as nothing else is there. */
-    private static void wording(Fields fields, String member) {
+    static void wording(Fields fields, String key, String member) {
         String language = fields.language();
-        String pointer = "/" + member + "/" + language;
-        String english = "/" + member + "/en";
+        String pointer = member + "/" + language;
+        String english = member + "/en";
         String held = fields.desk().draft().at(pointer).asString(englishOf(fields, english));
-        fields.column().note(fields.words(member));
+        fields.column().note(fields.words(key));
         fields.text(
                 pointer,
-                member,
+                key,
                 held,
                 typed -> {
                     Draft draft = fields.desk().draft();
