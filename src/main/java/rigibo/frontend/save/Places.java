@@ -47,7 +47,7 @@ public record Places(Path settings, Path data) {
 
     /** Every folder that files are kept in. */
     Stream<Path> all() {
-        return Stream.of(settings, data, replays(), levels(), drafts(levels()));
+        return Stream.of(settings, data, replays(), levels(), drafts(levels()), measurements());
     }
 
     Path settingsFile() {

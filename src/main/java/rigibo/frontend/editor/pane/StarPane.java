@@ -52,7 +52,7 @@ final class StarPane {
         Optional<String> feat =
                 number == 0 ? Optional.empty() : Optional.of(Prize.FEATS.get(number - 1));
         ObjectNode text = JsonNodeFactory.instance.objectNode();
-        feat.map(one -> fields.words("star.feat." + one))
+        feat.map(one -> fields.words("star.usual." + one))
                 .ifPresent(words -> text.put("en", words).put(fields.language(), words));
         fields.desk().change(Prize.of(fields.desk().draft(), feat, text));
     }
