@@ -1,5 +1,6 @@
 package rigibo.frontend.editor;
 
+import rigibo.frontend.editor.desk.Leaf;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.NewLevel;
 import rigibo.frontend.editor.file.DraftFile;
@@ -64,6 +65,14 @@ final class Author {
     void take(LevelJoint.Type type) {
         look();
         click(View.TOOLS.x() + 70, View.TOOLS.y() + 26 + 44 * type.ordinal());
+    }
+
+    /** Turns the fields to a leaf, if what is chosen has it. */
+    void turnTo(Leaf leaf) {
+        String name = director.words().of("editor." + leaf.key());
+        if (look().texts().contains(name)) {
+            press(name);
+        }
     }
 
     /** Presses the button with a name. */

@@ -28,7 +28,7 @@ public record Course(Item body) {
 
     /** Whether the body has a path. */
     public boolean isThere() {
-        return body.node().has(PATH);
+        return body.node().path(PATH).isObject();
     }
 
     /** The stops after the start, m. */
@@ -65,7 +65,8 @@ public record Course(Item body) {
     public Item longer() {
         List<Point> stops = stops();
         if (stops.size() < MOST) {
-            stops.add(stops.get(stops.size() - 1).plus(FURTHER));
+            Point last = stops.isEmpty() ? body.place() : stops.get(stops.size() - 1);
+            stops.add(last.plus(FURTHER));
         }
         return with(stops);
     }

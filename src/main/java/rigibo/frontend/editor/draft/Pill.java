@@ -55,7 +55,8 @@ public record Pill(double length, double radius) implements Form {
 
     @Override
     public Optional<Shape> shape() {
-        return radius > 0 ? Optional.of(new Capsule(length / 2, radius)) : Optional.empty();
+        boolean isSound = radius > 0 && length >= 0;
+        return isSound ? Optional.of(new Capsule(length / 2, radius)) : Optional.empty();
     }
 
     @Override

@@ -54,7 +54,8 @@ public final class Prize {
         switch (feat.get()) {
             case "clicks" -> star.put("count", draft.at("/rules/par").asInt(1));
             case "quick" -> star.put("seconds", QUICK);
-            case "avoid", "touch", "keep" -> star.put(BODY, targets(draft).get(0));
+            case "avoid", "touch", "keep" ->
+                    star.put(BODY, targets(draft).stream().findFirst().orElse(""));
             case "first" -> star.put(BODY, first(draft));
             default -> {}
         }

@@ -60,6 +60,9 @@ final class StarPane {
     private static void target(Fields fields, Draft draft) {
         List<String> targets = Prize.targets(draft);
         String target = Prize.target(draft);
+        if (targets.isEmpty()) {
+            return;
+        }
         int now = targets.indexOf(target);
         fields.column()
                 .stepper(
