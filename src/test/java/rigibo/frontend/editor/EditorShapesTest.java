@@ -124,6 +124,7 @@ class EditorShapesTest {
         author.clickWorld(8, 0.6);
         author.scene.keyPressed(Key.ENTER);
         assertThat(type(author, LAST)).isEqualTo("chain");
+        assertThat(author.draft().at(LAST + "/material").asString("")).isEqualTo("stone");
         double first = author.number(LAST + "/shape/points/0/0");
         assertThat(first).as("from right to left").isGreaterThan(0);
         assertThat(problems(author)).isEmpty();

@@ -195,7 +195,9 @@ public final class Desk {
             body.set("angle", Decimal.of(degrees));
         }
         boolean moves = !form.isLandscape();
-        body.put("material", substance.title());
+        // The game's creatures are to be clicked, which a landscape never is.
+        boolean isGround = !moves && substance == Substance.RIGIBO;
+        body.put("material", (isGround ? Substance.STONE : substance).title());
         body.put("dynamic", moves).put("deletable", moves && substance == Substance.RIGIBO);
         add(body);
     }
