@@ -20,6 +20,9 @@ final class Car {
     static final double G = 9.81;
     static final double WHEEL = 0.36;
 
+    /** Of the load on an axle: a is how far the centre of mass is from the other one. */
+    static final String FORMULA = "N = G·a/L";
+
     private static final double CHASSIS_MASS = 300;
     private static final double WHEEL_MASS = 15;
     private static final double AXLE = 0.85;

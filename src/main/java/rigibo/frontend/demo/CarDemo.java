@@ -179,6 +179,7 @@ final class CarDemo implements Demo {
                 new Button(words.of("car.again"), this::again),
                 new Readout(words.of("car.rear"), () -> pair(rear())),
                 new Readout(words.of("car.front"), () -> pair(front())),
+                new Readout("", () -> Car.FORMULA),
                 new Readout(words.of("car.velocity"), () -> metresPerSecond(car.speed())),
                 new Readout(words.of("car.slip"), () -> metresPerSecond(car.slip())),
                 new Readout(words.of("car.sag"), () -> Metres.words(track.sag())),

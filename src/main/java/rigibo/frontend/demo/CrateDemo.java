@@ -37,6 +37,10 @@ final class CrateDemo implements Demo {
 
     private static final double BLAST_SPEED = 9;
     private static final double BLAST_RADIUS = 4;
+
+    /** Of a box that stays: what hangs over is less than half its width. */
+    private static final String FORMULA = "x < w/2";
+
     private static final double LEDGE_X = 6.2;
 
     /** The ledge's left edge, m. */
@@ -208,6 +212,7 @@ final class CrateDemo implements Demo {
                 new Readout(
                         words.of("crate.predicted"),
                         () -> overhang < 0.5 ? words.of("crate.stays") : words.of("crate.tips")),
+                new Readout("", () -> FORMULA),
                 new Readout(words.of("crate.seen"), this::seen),
                 new Readout(words.of("crate.bodies"), () -> "" + bench.pool().report().bodies()),
                 new Readout(

@@ -25,6 +25,11 @@ final class DemoScene implements Scene {
 
     private static final double ZOOM = 1.15;
 
+    /** Where the legend of the debug drawing stands, above the plates at the foot, px. */
+    private static final double LEGEND_LEFT = 8;
+
+    private static final double LEGEND_ABOVE = 60;
+
     private final Director director;
     private final Function<Words, Demo> maker;
     private Demo demo;
@@ -93,6 +98,9 @@ final class DemoScene implements Scene {
         }
         demo.draw(bench, canvas);
         plates.draw(canvas, isPaused);
+        if (isDebugging) {
+            DebugLegend.draw(canvas, director.words(), LEGEND_LEFT, HEIGHT - LEGEND_ABOVE);
+        }
         if (isHelping) {
             HelpSheet.draw(director.words(), bench.pool().plan(), canvas);
         }

@@ -196,6 +196,7 @@ final class FloodDemo implements Demo {
                 new Readout(words.of("flood.alone"), () -> held(heldAlone)),
                 new Readout(words.of("flood.overlap"), this::overlap),
                 new Readout(words.of("flood.rise"), reference::predictedWords),
+                new Readout("", () -> ReferenceBall.FORMULA),
                 new Readout("  " + words.of("flood.seen"), reference::seenWords));
     }
 

@@ -29,6 +29,10 @@ final class FrictionDemo implements Demo {
     private final Words words;
 
     private static final double GRAVITY = 9.81;
+
+    /** Of the way until a box stops. */
+    private static final String FORMULA = "v²/2g(µ·cosα + sinα)";
+
     private static final double START = 2;
     private static final double FLAG = 48;
 
@@ -124,6 +128,7 @@ final class FrictionDemo implements Demo {
                             "  " + words.of("friction.reached"), () -> metres(lane.farthest())));
             widgets.add(new Readout("  " + words.of("friction.error"), () -> error(lane)));
         }
+        widgets.add(new Readout("", () -> FORMULA));
         widgets.add(new Readout(words.of("friction.heat"), this::heat));
         return widgets;
     }

@@ -142,6 +142,7 @@ final class PendulumDemo implements Demo {
                         words.of("pendulum.ratio"), "10^%.1f", 0, 4, 0.5, () -> power, this::weigh),
                 new Button(words.of("pendulum.again"), this::lay),
                 new Readout(words.of("pendulum.predicted"), () -> seconds(predicted())),
+                new Readout("", () -> Swing.FORMULA),
                 new Readout(words.of("pendulum.measured"), () -> seconds(measured())),
                 new Readout(words.of("pendulum.error"), this::error),
                 new Readout(words.of("pendulum.pull"), () -> newtons(pull())),

@@ -18,6 +18,9 @@ import java.util.function.DoubleSupplier;
  */
 final class ReferenceBall {
 
+    /** Of the height after n bounces; e is the elasticity. */
+    static final String FORMULA = "h·e^(2n)";
+
     private static final double G = 9.81;
     private static final double RADIUS = 0.4;
     private static final double HEIGHT = 8;

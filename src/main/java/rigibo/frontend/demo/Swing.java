@@ -12,6 +12,9 @@ import java.util.OptionalDouble;
 final class Swing {
 
     /** Relative difference at which the arithmetic–geometric mean has converged. */
+    /** Of the period; M is the arithmetic-geometric mean. */
+    static final String FORMULA = "2π√(L/g)/M(1, cos½θ)";
+
     private static final double MEAN_TOLERANCE = 1e-15;
 
     private static final int BISECTIONS = 50;

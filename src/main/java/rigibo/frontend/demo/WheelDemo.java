@@ -176,6 +176,7 @@ final class WheelDemo implements Demo {
                 new Readout(words.of("wheel.slip"), () -> metres(speed() - rim())),
                 new Readout(words.of("wheel.used"), this::share),
                 new Readout(words.of("wheel.predicted"), () -> acceleration(predicted)),
+                new Readout("", this::formula),
                 new Readout(words.of("wheel.measured"), () -> acceleration(measured)));
     }
 
@@ -222,6 +223,11 @@ final class WheelDemo implements Demo {
     /** Largest acceleration by friction, m/s². */
     private double grip() {
         return friction * GRAVITY * Math.cos(Math.toRadians(slope));
+    }
+
+    /** Of the acceleration down the ramp, with τ the torque about the contact. */
+    private String formula() {
+        return slips() ? "g·sinα ± µ·g·cosα" : "τ/(m·r·(1 + k))";
     }
 
     private boolean slips() {

@@ -44,6 +44,7 @@ public final class Display implements Director {
     private Window window;
     private Scene scene;
     private Scene wanted;
+    private Optional<Path> toBeSaved = Optional.empty();
     private boolean isMenu;
     private boolean isOver;
     private Optional<Companion> companion = Optional.empty();
@@ -226,6 +227,20 @@ public final class Display implements Director {
         }
     }
 
+    @Override
+    public void savePicture(Path file) {
+        toBeSaved = Optional.of(file);
+    }
+
+    private void save(Path file) {
+        toBeSaved = Optional.empty();
+        try {
+            picture(file);
+        } catch (DisplayException refused) {
+            toast.say(refused.getMessage());
+        }
+    }
+
     void dropped(List<Path> files) {
         opener.map(opening -> opening.apply(this, files)).ifPresent(this::show);
     }
@@ -289,6 +304,7 @@ public final class Display implements Director {
 
     private void renderDisplay() {
         window.render(settings().detail(), curtain.rise());
+        toBeSaved.ifPresent(this::save);
         companion.ifPresent(beside -> beside.afterDrawing(this, scene));
     }
 

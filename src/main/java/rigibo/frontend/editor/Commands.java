@@ -22,6 +22,9 @@ final class Commands {
     }
 
     void keyPressed(Key key) {
+        if (shop.stopSettling()) {
+            return;
+        }
         if (desk.isHeld(Modifier.CONTROL)) {
             withControl(key);
         } else if (shop.typing().isOn()) {
@@ -55,6 +58,7 @@ final class Commands {
             case T -> shop.startTest();
             case G -> desk.switchGrid();
             case K -> shop.check();
+            case S -> shop.settle();
             case DELETE, BACKSPACE -> desk.remove();
             case TAB -> desk.chooseNext(desk.isHeld(Modifier.SHIFT) ? -1 : 1);
             case HOME -> View.home(desk.camera(), desk.draft());
@@ -86,6 +90,9 @@ final class Commands {
     }
 
     boolean escaped() {
+        if (shop.stopSettling()) {
+            return true;
+        }
         if (shop.typing().isOn()) {
             shop.typing().cancel();
             return true;

@@ -99,6 +99,7 @@ final class DeskView {
             LevelJoint.of(node).ifPresent(joint -> draw(pen, joint));
         }
         for (Item item : desk.draft().items()) {
+            Reaches.draw(canvas, camera, item);
             Point at = item.toWorld(item.form().centre());
             item.verb().ifPresent(v -> VerbMark.draw(canvas, camera, v, at.x(), at.y()));
         }

@@ -120,6 +120,9 @@ final class EditorScene implements Scene {
         }
         pointerX = x;
         pointerY = y;
+        if (shop.stopSettling()) {
+            return;
+        }
         Optional<Spots.Spot> spot = spots.at(x, y);
         if (spot.isPresent()) {
             shop.typing().end();

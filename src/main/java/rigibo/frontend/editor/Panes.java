@@ -5,6 +5,7 @@ import rigibo.frontend.editor.desk.Joining;
 import rigibo.frontend.editor.draft.Item;
 import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.Point;
+import rigibo.frontend.editor.draft.Prize;
 import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.editor.pane.Bar;
 import rigibo.frontend.editor.pane.EffectPane;
@@ -13,9 +14,11 @@ import rigibo.frontend.editor.pane.Pane;
 import rigibo.frontend.editor.pane.ProblemPane;
 import rigibo.frontend.editor.pane.Spots;
 import rigibo.frontend.editor.pane.ToolPane;
+import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
@@ -24,12 +27,16 @@ final class Panes {
 
     private static final double ROW = 22;
 
+    /** Radius of the ring around what a problem concerns, px. */
+    private static final double RING = 22;
+
     /** Height of two rows of chips, px. */
     private static final double CHIPS = 58;
 
     private final Workshop shop;
     private final Pane pane;
     private final List<Finding> findings;
+    private Optional<Finding> pointedAt = Optional.empty();
 
     private Panes(Workshop shop, Pane pane, List<Finding> findings) {
         this.shop = shop;
@@ -42,9 +49,25 @@ final class Panes {
         panes.top();
         ToolPane.draw(pane, View.TOOLS, shop.desk(), shop.craft(), shop::take);
         FieldPane.draw(pane, View.FIELDS, shop.desk(), shop.typing());
-        ProblemPane.draw(pane, View.PROBLEMS, findings, shop.desk()::choose);
+        panes.problems();
         panes.foot();
         shop.list().ifPresent(list -> list.draw(pane, View.DRAFT.inset(20)));
+    }
+
+    private void problems() {
+        pointedAt = ProblemPane.draw(pane, View.PROBLEMS, findings, shop.desk()::choose);
+        pointedAt
+                .flatMap(finding -> shop.desk().draft().item(finding.item()))
+                .ifPresent(item -> pointAt(item.toWorld(item.form().centre())));
+    }
+
+    /** Leads from the problem under the pointer to what it concerns. */
+    private void pointAt(Point at) {
+        Camera camera = shop.desk().camera();
+        double x = camera.screenX(at.x());
+        double y = camera.screenY(at.y());
+        pane.canvas().line(View.PROBLEMS.x(), pane.pointerY(), x, y, 2, Color.BRASS);
+        pane.canvas().ring(x, y, RING, 3, 1, Color.BRASS);
     }
 
     private void top() {
@@ -55,12 +78,18 @@ final class Panes {
         bar.button("new", true, shop::beginNew);
         bar.button("open", true, shop::showFiles);
         bar.button("save", !shop.drawer().isSaved(shop.desk().draft()), shop::save);
+        bar.button("settle", true, shop::settle);
         bar.button("test", true, shop::startTest);
         bar.button("check", !shop.isProving(), shop::check);
         bar.button("code", true, shop::copyCode);
-        String name = shop.drawer().file().map(file -> file.getFileName().toString()).orElse("");
+        String name = shop.drawer().file().map(Panes::nameOf).orElse("");
         String star = shop.drawer().isSaved(shop.desk().draft()) ? "" : "* ";
         pane.text(bar.rest(), star + name, Canvas.Align.RIGHT, Color.TEXT_DIM);
+    }
+
+    /** All levels have the same ending, for which there is no room. */
+    private static String nameOf(Path file) {
+        return file.getFileName().toString().replaceFirst("\\.json$", "");
     }
 
     private void foot() {
@@ -68,8 +97,14 @@ final class Panes {
         Area inner = View.FOOT.inset(7);
         EffectPane.draw(pane, inner, shop.desk());
         status(line(inner, 0));
+        Optional<Finding> finding = pointedAt.or(this::findingUnderPointer);
         Optional<String> told = told();
-        if (told.isPresent()) {
+        if (finding.isPresent()) {
+            String plain = ProblemPane.told(pane, finding.get());
+            pane.text(line(inner, 1), plain, Canvas.Align.LEFT, Color.TEXT);
+            String behind = finding.get().problem().message();
+            pane.text(line(inner, 2), behind, Canvas.Align.LEFT, Color.TEXT_DIM);
+        } else if (told.isPresent()) {
             sentence(line(inner, 1), line(inner, 2), told.get());
         } else {
             String keys = pane.words().of("editor.keys." + hint());
@@ -93,6 +128,9 @@ final class Panes {
             Bar bar = new Bar(pane, line);
             bar.words(pane.words().of("editor.won", clicks), Color.GOOD);
             bar.button("won.keep", true, shop::keepSolution);
+            if (Prize.feat(shop.desk().draft()).isPresent()) {
+                bar.button("won.star", true, shop::keepForStar);
+            }
             bar.button("won.leave", true, shop::forgetSolution);
         } else {
             pane.text(line, shop.remark(), Canvas.Align.LEFT, Color.BRASS);
@@ -102,33 +140,37 @@ final class Panes {
     private String hint() {
         return switch (shop.craft()) {
             case SELECT -> "select";
-            case BOX, DISC, BALL -> "draw";
+            case BOX, DISC, CAPSULE, BALL -> "draw";
+            case LANDSCAPE -> "landscape";
+            case GLUE -> "glue";
             case CORNERS -> "corners";
             case REGULAR -> "regular";
             case HINGE, WELD, WHEEL, SLIDE, ROD, ROPE, SPRING -> "joint";
         };
     }
 
-    /** The note on what is under the pointer: a button, or an item with a problem. */
+    /** The note on the button under the pointer. */
     private Optional<String> told() {
-        Optional<Spots.Spot> spot = pane.spots().at(pane.pointerX(), pane.pointerY());
-        if (spot.isPresent()) {
-            return spot.map(Spots.Spot::words).filter(words -> !words.isEmpty());
+        return pane.spots()
+                .at(pane.pointerX(), pane.pointerY())
+                .map(Spots.Spot::words)
+                .filter(words -> !words.isEmpty());
+    }
+
+    /** The problem of what is under the pointer on the desk. */
+    private Optional<Finding> findingUnderPointer() {
+        if (pane.spots().at(pane.pointerX(), pane.pointerY()).isPresent()) {
+            return Optional.empty();
         }
-        Point at =
-                new Point(
-                        shop.desk().camera().worldX(pane.pointerX()),
-                        shop.desk().camera().worldY(pane.pointerY()));
+        Camera camera = shop.desk().camera();
+        Point at = new Point(camera.worldX(pane.pointerX()), camera.worldY(pane.pointerY()));
         String under =
                 new Joining(shop.desk())
                         .at(at)
                         .map(JointEntry::pointer)
                         .or(() -> shop.desk().at(at).map(Item::pointer))
                         .orElse("-");
-        return findings.stream()
-                .filter(finding -> finding.item().equals(under))
-                .findFirst()
-                .map(finding -> ProblemPane.name(pane, finding) + ": " + finding.words());
+        return findings.stream().filter(finding -> finding.item().equals(under)).findFirst();
     }
 
     /** Breaks the text into two lines if it is too long for one. */

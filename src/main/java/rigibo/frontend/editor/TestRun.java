@@ -11,7 +11,6 @@ import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.Words;
 
-import java.util.List;
 import java.util.Optional;
 
 /**
@@ -28,7 +27,7 @@ final class TestRun implements Director {
     TestRun(Director director, Level level) {
         this.director = director;
         guest = new Guest(director.settings());
-        scene = new PuzzleScene(this, List.of(level), 0);
+        scene = PuzzleScene.ofTrial(this, level);
     }
 
     PuzzleScene scene() {

@@ -5,7 +5,11 @@ import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.desk.Inspection;
 import rigibo.frontend.editor.desk.Typing;
 import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.draft.Joinery;
+import rigibo.frontend.editor.draft.JointEntry;
 import rigibo.frontend.editor.draft.NewLevel;
+import rigibo.frontend.editor.draft.Prize;
+import rigibo.frontend.editor.draft.Settled;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.file.DraftFiles;
 import rigibo.frontend.editor.pane.Craft;
@@ -13,11 +17,15 @@ import rigibo.frontend.editor.pane.ListPane;
 import rigibo.frontend.editor.tool.BallTool;
 import rigibo.frontend.editor.tool.CornersTool;
 import rigibo.frontend.editor.tool.DrawTool;
+import rigibo.frontend.editor.tool.GlueTool;
 import rigibo.frontend.editor.tool.JointTool;
 import rigibo.frontend.editor.tool.SelectTool;
 import rigibo.frontend.editor.tool.Stencil;
 import rigibo.frontend.editor.tool.Tool;
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelJoint;
+import rigibo.frontend.puzzle.level.LevelLoader;
+import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Words;
@@ -41,6 +49,7 @@ final class Workshop {
     private Tool tool;
     private Optional<TestRun> test = Optional.empty();
     private Optional<Solution> won = Optional.empty();
+    private Optional<Settling> settling = Optional.empty();
     private Optional<ListPane> list = Optional.empty();
     private String remark = "";
 
@@ -108,7 +117,10 @@ final class Workshop {
                     case SELECT -> new SelectTool(desk);
                     case BOX -> new DrawTool(desk, Stencil.BOX);
                     case DISC -> new DrawTool(desk, Stencil.DISC);
-                    case CORNERS -> new CornersTool(desk);
+                    case CORNERS -> new CornersTool(desk, CornersTool.Kind.POLYGON);
+                    case LANDSCAPE -> new CornersTool(desk, CornersTool.Kind.LANDSCAPE);
+                    case CAPSULE -> new DrawTool(desk, Stencil.CAPSULE);
+                    case GLUE -> new GlueTool(desk);
                     case REGULAR -> new DrawTool(desk, Stencil.REGULAR);
                     case BALL -> new BallTool(desk);
                     case HINGE, WELD, WHEEL, SLIDE, ROD, ROPE, SPRING ->
@@ -118,6 +130,7 @@ final class Workshop {
 
     /** Makes one turn: checks the draft if it changed, and takes over what playing it found. */
     void turn() {
+        settling.ifPresent(this::goOn);
         if (!desk.history().isGesture()) {
             inspection.look(desk.draft());
         }
@@ -156,6 +169,13 @@ final class Workshop {
         won = Optional.empty();
     }
 
+    /** Proves the star by the clicks that won; a check tells whether they earn it. */
+    void keepForStar() {
+        won.ifPresent(solution -> desk.change(Prize.proved(desk.draft(), solution)));
+        won = Optional.empty();
+        say("kept.star");
+    }
+
     /** Plays the draft in all the ways that {@code levels check} does. */
     void check() {
         typing.end();
@@ -166,6 +186,55 @@ final class Workshop {
         } else {
             say("unplayable", inspection.errors());
         }
+    }
+
+    /** Lets everything fall and swing until it rests, and begins the level there. */
+    void settle() {
+        typing.end();
+        tool.cancelled();
+        LoadedLevel loose =
+                new LevelLoader().parse("draft", Settled.loose(desk.draft()).toString());
+        settling = loose.level().map(level -> new Settling(desk, level));
+        if (settling.isPresent()) {
+            say("settling");
+        } else {
+            say("unsettled", loose.errors());
+        }
+    }
+
+    private void goOn(Settling running) {
+        Settling.State state = running.turn();
+        if (state == Settling.State.MOVING) {
+            return;
+        }
+        settling = Optional.empty();
+        if (state == Settling.State.RESTED) {
+            say(hasSoftJoints() ? "settled.soft" : "settled");
+        } else {
+            desk.choose(running.culprit());
+            String name = desk.item().map(Joinery::name).orElse("");
+            say(state == Settling.State.LOST ? "settle.lost" : "settle.restless", name);
+        }
+    }
+
+    /** Springs that pull back to where a level begins give way anew from each start. */
+    private boolean hasSoftJoints() {
+        return JointEntry.all(desk.draft()).stream()
+                .anyMatch(
+                        joint ->
+                                joint.type() != LevelJoint.Type.SPRING
+                                        && joint.node().has("spring"));
+    }
+
+    /** Stops settling, which leaves the draft as it was; returns whether there was any. */
+    boolean stopSettling() {
+        boolean isOn = settling.isPresent();
+        if (isOn) {
+            settling.get().cancel();
+            settling = Optional.empty();
+            say("settle.stopped");
+        }
+        return isOn;
     }
 
     void forgetSolution() {
@@ -203,6 +272,7 @@ final class Workshop {
 
     /** Begins another level; unsaved changes are kept for later. */
     void begin(DraftFile other) {
+        stopSettling();
         typing.cancel();
         drawer.put(desk.draft()).ifPresent(this::trouble);
         drawer.take(other);
@@ -287,6 +357,7 @@ final class Workshop {
 
     /** Leaves the scene; unsaved changes are kept. */
     void close() {
+        stopSettling();
         typing.end();
         test.ifPresent(run -> run.scene().closed());
         drawer.put(desk.draft());

@@ -88,13 +88,18 @@ final class HalfView {
         Color plate = isHot ? Color.BRASS.alpha(0.8) : Color.BRASS;
         canvas.panel(left, top, SWITCH_WIDTH, SWITCH_HEIGHT, SWITCH_HEIGHT / 2, plate);
         double middle = top + SWITCH_HEIGHT / 2;
-        words(canvas, half.preset().name(), left + 14, middle, Canvas.Align.LEFT, Color.DUSK_TOP);
+        words(canvas, name(), left + 14, middle, Canvas.Align.LEFT, Color.DUSK_TOP);
         for (Preset preset : Preset.values()) {
-            boolean isLit = preset == half.preset();
+            boolean isLit = preset == half.preset() && !half.isOwn();
             double dot = left + SWITCH_WIDTH - 56 + 14 * preset.ordinal();
             Color color = isLit ? Color.DUSK_TOP : Color.DUSK_TOP.alpha(0.3);
             canvas.disc(dot, middle, isLit ? 5 : 4, color);
         }
+    }
+
+    /** Name of its accuracy. */
+    String name() {
+        return half.isOwn() ? words.of("laboratory.own") : half.preset().name();
     }
 
     private String millis() {

@@ -25,7 +25,9 @@ enum Command {
     STOP,
     NEXT,
     LEVELS,
-    MENU;
+    MENU,
+    /** Ends the trial of a level in the making. */
+    EDITOR;
 
     /** The label of its button. */
     String words(Words words) {

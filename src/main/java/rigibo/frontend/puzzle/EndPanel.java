@@ -51,9 +51,10 @@ final class EndPanel {
     /**
      * The panel at the end of a game.
      *
+     * @param exit the way out of the level
      * @param star the level's, where it has one; shown only where the level is solved
      */
-    EndPanel(PuzzleGame game, boolean hasNext, Optional<StarStamp> star) {
+    EndPanel(PuzzleGame game, boolean hasNext, Command exit, Optional<StarStamp> star) {
         this.game = game;
         this.star = star.filter(one -> game.isSolved());
         int par = game.level().limits().par();
@@ -61,7 +62,7 @@ final class EndPanel {
                 game.isSolved()
                         ? Optional.of(new MedalStamps(Medal.of(game.clicks(), par), par))
                         : Optional.empty();
-        ways = ways(hasNext);
+        ways = ways(hasNext, exit);
         height = buttonsBelow() + ButtonRow.HEIGHT + PADDING;
     }
 
@@ -94,7 +95,7 @@ final class EndPanel {
         return game == other;
     }
 
-    private List<Command> ways(boolean hasNext) {
+    private List<Command> ways(boolean hasNext, Command exit) {
         List<Command> ways = new ArrayList<>();
         if (game.isSolved() && hasNext) {
             ways.add(Command.NEXT);
@@ -105,7 +106,7 @@ final class EndPanel {
         } else {
             ways.add(Command.UNDO);
         }
-        ways.add(Command.LEVELS);
+        ways.add(exit);
         return ways;
     }
 

@@ -60,9 +60,9 @@ final class Hud {
     }
 
     /** Puts buttons into the bar, in place of the title. */
-    static ButtonRow buttons(Command... commands) {
+    static ButtonRow buttons(List<Command> commands) {
         double top = MIDDLE - ButtonRow.HEIGHT / 2;
-        return new ButtonRow(BUTTONS_LEFT, top, commands.length * BUTTON_WIDTH, List.of(commands));
+        return new ButtonRow(BUTTONS_LEFT, top, commands.size() * BUTTON_WIDTH, commands);
     }
 
     /** Draws the bar with the title and the state of the game. */

@@ -28,9 +28,9 @@ final class Panels {
     private final KeyStrip keys = new KeyStrip();
     private final EffectsDrawer effects;
     private final HintPlate hint;
-    private final ButtonRow pause =
-            Hud.buttons(Command.RESUME, Command.RESTART, Command.LEVELS, Command.MENU);
-    private final ButtonRow stop = Hud.buttons(Command.STOP);
+    private final List<Command> exits;
+    private final ButtonRow pause;
+    private final ButtonRow stop = Hud.buttons(List.of(Command.STOP));
     private Drawer open = Drawer.NONE;
 
     private Layout layout = Layout.ALONE;
@@ -44,8 +44,18 @@ final class Panels {
         HINT
     }
 
-    Panels(Level level, Session session, View view, Words words, Lesson lesson) {
+    Panels(
+            Level level,
+            Session session,
+            View view,
+            Words words,
+            Lesson lesson,
+            List<Command> exits) {
         this.session = session;
+        this.exits = exits;
+        List<Command> inPause = new ArrayList<>(List.of(Command.RESUME, Command.RESTART));
+        inPause.addAll(exits);
+        pause = Hud.buttons(inPause);
         this.view = view;
         this.words = words;
         hud = new Hud(level, lesson);
@@ -115,7 +125,7 @@ final class Panels {
                 game.level()
                         .star()
                         .map(one -> new StarStamp(one.text().in(words.locale()), game, hasStar));
-        end = Optional.of(new EndPanel(game, hasNext, star));
+        end = Optional.of(new EndPanel(game, hasNext, exits.get(0), star));
         end.ifPresent(this::place);
     }
 
@@ -197,7 +207,7 @@ final class Panels {
         }
         commands.add(Command.EFFECTS);
         commands.addAll(offered);
-        commands.add(Command.MENU);
+        commands.add(exits.get(exits.size() - 1));
         return commands;
     }
 

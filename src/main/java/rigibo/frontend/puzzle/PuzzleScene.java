@@ -52,6 +52,17 @@ public final class PuzzleScene implements Scene {
                 number == 0 && levels.size() > 1);
     }
 
+    /** A level in the making, which is tried out and leads back to the editor. */
+    public static PuzzleScene ofTrial(Director director, Level level) {
+        return new PuzzleScene(
+                director,
+                level,
+                new Tally(director, level),
+                Sequel.backToTheEditor(),
+                Lesson.none(),
+                false);
+    }
+
     /** A level that was made, with its own ledger, and what comes after it; it teaches nothing. */
     PuzzleScene(Director director, Level level, Ledger ledger, Sequel sequel) {
         this(director, level, new Tally(director, level, ledger), sequel, Lesson.none(), false);
@@ -77,7 +88,7 @@ public final class PuzzleScene implements Scene {
         view = new View(level);
         table = new Table(session, view.camera(), new Noises(director.sounds(), session.game()));
         this.lesson = lesson;
-        panels = new Panels(level, session, view, director.words(), lesson);
+        panels = new Panels(level, session, view, director.words(), lesson, sequel.exits());
         ghost = new GhostSwitch(director, session, tally);
     }
 
@@ -272,7 +283,7 @@ public final class PuzzleScene implements Scene {
             case STOP -> session.stopShow();
             case NEXT -> sequel.next().ifPresent(next -> director.show(next.get()));
             case LEVELS -> director.showLevels();
-            case MENU -> director.showMenu();
+            case MENU, EDITOR -> director.showMenu();
         }
     }
 

@@ -14,6 +14,11 @@ interface Sequel {
     /** Makes the scene to go on to; empty after the last level. */
     Optional<Supplier<Scene>> next();
 
+    /** The commands that leave the level, the nearest place first and the farthest last. */
+    default List<Command> exits() {
+        return List.of(Command.LEVELS, Command.MENU);
+    }
+
     /** The level's window is gone: what was being prepared is not needed any more. */
     default void close() {}
 
@@ -24,5 +29,20 @@ interface Sequel {
                         ? Optional.of(() -> new PuzzleScene(director, levels, number + 1))
                         : Optional.empty();
         return () -> next;
+    }
+
+    /** A level that is tried out in the editor, to which every way leads back. */
+    static Sequel backToTheEditor() {
+        return new Sequel() {
+            @Override
+            public Optional<Supplier<Scene>> next() {
+                return Optional.empty();
+            }
+
+            @Override
+            public List<Command> exits() {
+                return List.of(Command.EDITOR);
+            }
+        };
     }
 }

@@ -35,6 +35,11 @@ public record Places(Path settings, Path data) {
         return data.resolve("levels");
     }
 
+    /** The folder of what the player measures. */
+    public Path measurements() {
+        return data.resolve("measurements");
+    }
+
     /** The folder, within that of the player's levels, of drafts that were not saved. */
     public static Path drafts(Path levels) {
         return levels.resolve("unsaved");
@@ -42,7 +47,7 @@ public record Places(Path settings, Path data) {
 
     /** Every folder that files are kept in. */
     Stream<Path> all() {
-        return Stream.of(settings, data, replays(), levels(), drafts(levels()));
+        return Stream.of(settings, data, replays(), levels(), drafts(levels()), measurements());
     }
 
     Path settingsFile() {

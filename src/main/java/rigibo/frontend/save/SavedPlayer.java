@@ -35,6 +35,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
     private final Kept<Progress> progress;
     private final Path replays;
     private final Path levels;
+    private final Path measurements;
     private final List<String> told = new ArrayList<>();
     private final AtomicBoolean isDue = new AtomicBoolean();
     private final ScheduledExecutorService writer =
@@ -57,6 +58,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
         progress = new Kept<>(places.progressFile(), new ProgressFormat());
         replays = places.replays();
         levels = places.levels();
+        measurements = places.measurements();
     }
 
     @Override
@@ -104,6 +106,11 @@ public final class SavedPlayer implements Player, AutoCloseable {
     @Override
     public Optional<Path> levels() {
         return Optional.of(levels);
+    }
+
+    @Override
+    public Optional<Path> measurements() {
+        return Optional.of(measurements);
     }
 
     @Override

@@ -53,6 +53,11 @@ public interface Director {
         return player().levels();
     }
 
+    /** The folder of the player's measurements; empty if none are kept. */
+    default Optional<Path> measurements() {
+        return player().measurements();
+    }
+
     /** Messages to the player about these files, a sentence or two each. */
     default List<String> notices() {
         return player().notices(words());
@@ -65,6 +70,9 @@ public interface Director {
 
     /** Shows a few words for a moment. */
     default void say(String words) {}
+
+    /** Writes what the window shows next into a PNG file; says so if that fails. */
+    default void savePicture(Path file) {}
 
     /** Puts a text on the clipboard, and says so. */
     default void copy(String text) {}

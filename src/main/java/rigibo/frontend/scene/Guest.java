@@ -48,6 +48,11 @@ public final class Guest implements Player {
     }
 
     @Override
+    public Optional<Path> measurements() {
+        return Optional.empty();
+    }
+
+    @Override
     public List<String> notices(Words words) {
         return List.copyOf(notices);
     }

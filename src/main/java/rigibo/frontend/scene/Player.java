@@ -25,6 +25,9 @@ public interface Player {
     /** Where levels that the player makes are kept; nothing where none are. */
     Optional<Path> levels();
 
+    /** Where measurements and pictures are saved; nothing where none are. */
+    Optional<Path> measurements();
+
     /** What the player should know about the files of all this, a sentence or two each. */
     List<String> notices(Words words);
 

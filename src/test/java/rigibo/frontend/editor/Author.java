@@ -1,5 +1,6 @@
 package rigibo.frontend.editor;
 
+import rigibo.frontend.editor.desk.Leaf;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.NewLevel;
 import rigibo.frontend.editor.file.DraftFile;
@@ -25,6 +26,9 @@ final class Author {
     static final int CORNERS = 3;
     static final int REGULAR = 4;
     static final int BALL = 5;
+    static final int CAPSULE = 6;
+    static final int LANDSCAPE = 7;
+    static final int GLUE = 8;
 
     final RecordingDirector director;
     final EditorScene scene;
@@ -61,6 +65,14 @@ final class Author {
     void take(LevelJoint.Type type) {
         look();
         click(View.TOOLS.x() + 70, View.TOOLS.y() + 26 + 44 * type.ordinal());
+    }
+
+    /** Turns the fields to a leaf, if what is chosen has it. */
+    void turnTo(Leaf leaf) {
+        String name = director.words().of("editor." + leaf.key());
+        if (look().texts().contains(name)) {
+            press(name);
+        }
     }
 
     /** Presses the button with a name. */

@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import rigibo.frontend.editor.desk.Leaf;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.Item;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.file.DraftFiles;
 import rigibo.frontend.puzzle.level.LevelShelf;
+import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
@@ -46,7 +48,7 @@ class EditorLegibilityTest {
         Author author = new Author(opened, Optional.empty(), page.language());
         assertLegible(author);
         for (Item item : opened.draft().items()) {
-            author.scene.keyPressed(rigibo.frontend.scene.Key.TAB);
+            author.scene.keyPressed(Key.TAB);
             assertLegible(author);
         }
     }
@@ -78,6 +80,27 @@ class EditorLegibilityTest {
         for (double y = 8; y < Scene.HEIGHT; y += 12) {
             for (double x : new double[] {30, 160, 230, 340, 380, 500, 600, 700}) {
                 author.scene.pointerMoved(x, y);
+                assertLegible(author);
+            }
+        }
+    }
+
+    /** The leaves of the level, and of a body with all that it can have. */
+    @ParameterizedTest
+    @MethodSource("languages")
+    void everyLeafIsLegible(String language) throws IOException {
+        for (Path file : LevelShelf.files()) {
+            DraftFile opened = DraftFiles.open(file);
+            Author author = new Author(opened, Optional.empty(), language);
+            Words words = new Words(language);
+            for (Leaf leaf : Leaf.OF_LEVEL) {
+                author.press(words.of("editor." + leaf.key()));
+                assertLegible(author);
+            }
+            author.scene.keyPressed(Key.TAB);
+            author.scene.keyPressed(Key.TAB);
+            for (Leaf leaf : Leaf.OF_BODY) {
+                author.press(words.of("editor." + leaf.key()));
                 assertLegible(author);
             }
         }

@@ -52,12 +52,7 @@ class EditorSceneTest {
     @Test
     void aLevelIsBuiltTriedSolvedAndSavedByThePointerAlone() {
         Author author = drop();
-        author.press("Test");
-        author.click(560, 660);
-        for (int i = 0; i < LONG_ENOUGH; i++) {
-            author.scene.step();
-        }
-        assertThat(author.scene.escaped()).isTrue();
+        win(author);
         author.press("Keep");
         author.press("New level");
         author.type(" to drop");
@@ -75,6 +70,36 @@ class EditorSceneTest {
     }
 
     @Test
+    void aStarIsChosenAfterASolutionAndProvedByAnotherTest() {
+        Author author = drop();
+        author.press("Star");
+        assertThat(author.look().texts()).contains("Win a test first,");
+        win(author);
+        author.press("Keep");
+        double[] feat = author.look().middleOf("no star");
+        author.click(author.look().middleOf("no star")[0] + 95, feat[1]);
+        assertThat(author.draft().at("/star/count").asInt()).isEqualTo(1);
+        author.click(feat[0] + 95, feat[1]);
+        assertThat(author.draft().at("/star/type").asString("")).isEqualTo("quick");
+        assertThat(author.draft().at("/star/solution"))
+                .isEqualTo(author.draft().at("/solutions/0"));
+        author.press("Solved quickly");
+        win(author);
+        author.press("For the star");
+        assertThat(author.draft().at("/star/solution/clicks").size()).isEqualTo(1);
+        assertThat(TwoBoxes.problems(author)).isEmpty();
+    }
+
+    private static void win(Author author) {
+        author.press("Test");
+        author.click(560, 660);
+        for (int i = 0; i < LONG_ENOUGH; i++) {
+            author.scene.step();
+        }
+        author.scene.escaped();
+    }
+
+    @Test
     void escapeEndsTheTestAndLeavesTheDraftAsItWas() {
         Author author = drop();
         Draft before = author.draft();
@@ -86,6 +111,14 @@ class EditorSceneTest {
         assertThat(author.draft()).isEqualTo(before);
         author.scene.keyPressed(Key.T);
         author.scene.keyPressed(Key.T);
+        assertThat(author.look().texts()).contains("Check");
+    }
+
+    @Test
+    void aButtonOfTheTestLeadsBack() {
+        Author author = drop();
+        author.press("Test");
+        author.press("Editor");
         assertThat(author.look().texts()).contains("Check");
     }
 
@@ -209,13 +242,17 @@ class EditorSceneTest {
         author.take(Author.CORNERS);
         author.clickWorld(4, 4);
         author.clickWorld(6, 4);
-        author.clickWorld(4.5, 4.5);
+        author.clickWorld(6, 6);
         author.clickWorld(4, 6);
         author.scene.keyPressed(Key.ENTER);
+        author.take(Author.SELECT);
+        author.drag(6, 6, 4.5, 4.5);
         assertThat(author.look().texts()).contains("Not convex");
         author.scene.pointerMoved(
-                View.camera(author.draft()).screenX(4.3), View.camera(author.draft()).screenY(4.3));
-        assertThat(author.look().texts()).anyMatch(text -> text.contains("E110"));
+                View.camera(author.draft()).screenX(4.2), View.camera(author.draft()).screenY(4.2));
+        assertThat(author.look().texts())
+                .anyMatch(text -> text.startsWith("The outline is dented"))
+                .anyMatch(text -> text.contains("E110"));
     }
 
     @Test

@@ -1,6 +1,7 @@
 package rigibo.frontend.editor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import static rigibo.frontend.editor.TwoBoxes.joined;
 import static rigibo.frontend.editor.TwoBoxes.problems;
@@ -68,6 +69,7 @@ class EditorVerbsTest {
     void aBodyFreezesOrBlowsUpInPlaceOfBeingDeleted() {
         Author author = withTwoBoxes();
         author.clickWorld(4, 6);
+        author.press("Play");
         author.press("Deletable");
         next(author, "stays");
         assertThat(text(author, "/bodies/1/click")).isEqualTo("freeze");
@@ -85,8 +87,9 @@ class EditorVerbsTest {
     void aFixedBodyBecomesAFanThatIsSwitched() {
         Author author = withTwoBoxes();
         author.clickWorld(4, 6);
-        author.press("Deletable");
         author.press("Moves");
+        author.press("Play");
+        author.press("Deletable");
         author.press("Fan");
         assertThat(EffectUse.declared(author.draft())).contains("fan");
         next(author, "stays");
@@ -129,12 +132,33 @@ class EditorVerbsTest {
         assertThat(Legibility.faults(author.scene)).isEmpty();
         author.take(Author.SELECT);
         author.clickWorld(3.7, 6.3);
+        author.press(isEnglish ? "Play" : "Spiel");
         author.press(isEnglish ? "Deletable" : "Löschbar");
         next(author, isEnglish ? "stays" : "bleibt");
         next(author, isEnglish ? "frozen" : "Stein");
         assertThat(Legibility.faults(author.scene)).isEmpty();
+        author.press(isEnglish ? "Shape" : "Form");
         author.press(isEnglish ? "Moves" : "Beweglich");
+        author.press(isEnglish ? "Play" : "Spiel");
         author.press(isEnglish ? "Fan" : "Gebläse");
         assertThat(Legibility.faults(author.scene)).isEmpty();
+    }
+
+    @Test
+    void aBodyIsDrivenAlongAPathWhoseStopsAreDragged() {
+        Author author = withTwoBoxes();
+        author.clickWorld(4, 6);
+        author.press("Play");
+        author.press("Deletable");
+        author.press("Path");
+        assertThat(author.draft().at("/bodies/1/path/points").size()).isEqualTo(1);
+        author.take(Author.SELECT);
+        author.drag(6, 6, 6, 8);
+        assertThat(author.number("/bodies/1/path/points/0/1")).isCloseTo(8, within(1e-9));
+        assertThat(problems(author)).isEmpty();
+        author.press("Path");
+        assertThat(author.draft().at("/bodies/1/dynamic").asBoolean(true)).isFalse();
+        author.control(Key.Z);
+        assertThat(author.draft().at("/bodies/1/path/points/0/1").asDouble(0)).isEqualTo(8);
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -12,18 +13,27 @@ import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
-import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Parting;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 
 /** Two accuracies side by side are the same scene, and tell the truth about each other. */
 class LaboratorySceneTest {
 
     private static final Key[] EXPERIMENTS = {Key.DIGIT_1, Key.DIGIT_2, Key.DIGIT_3, Key.DIGIT_4};
 
+    @TempDir private Path folder;
+
     private static LaboratoryScene open(String experiment) {
-        LaboratoryScene scene = new LaboratoryScene(new Words("en"));
+        LaboratoryScene scene = new LaboratoryScene(new RecordingDirector("en"));
         click(scene, experiment);
+        scene.left().choose(Preset.GAME);
         return scene;
     }
 
@@ -67,6 +77,60 @@ class LaboratorySceneTest {
         run(scene, 300);
         assertEqual(scene);
         assertThat(scene.divergence().distance()).isZero();
+    }
+
+    @Test
+    void opensWithPresetsThatVisiblyPart() {
+        LaboratoryScene scene = new LaboratoryScene(new RecordingDirector("en"));
+        assertThat(scene.left().preset()).isEqualTo(Preset.DRAFT);
+        assertThat(scene.right().preset()).isEqualTo(Preset.EXACT);
+        run(scene, 60);
+        assertThat(scene.divergence().distance()).as("m").isGreaterThan(0.2);
+    }
+
+    @Test
+    void slidersSetAnAccuracyOfTheirOwn() {
+        LaboratoryScene scene = open("stack");
+        click(scene, "Expert");
+        double[] label = RecordingCanvas.of(scene).middleOf("substeps of a step");
+        scene.pointerPressed(PointerButton.LEFT, 700, label[1]);
+        scene.pointerMoved(690, label[1]);
+        scene.pointerReleased(PointerButton.LEFT, 690, label[1]);
+        assertThat(scene.right().accuracy().substeps()).isGreaterThan(50);
+        assertThat(scene.right().pool().accuracy()).isEqualTo(scene.right().accuracy());
+        assertThat(scene.left().accuracy()).isEqualTo(Preset.GAME.accuracy());
+        assertThat(RecordingCanvas.of(scene).texts()).contains("OWN");
+        scene.keyPressed(Key.RIGHT);
+        assertThat(scene.right().isOwn()).isFalse();
+    }
+
+    @Test
+    void tablesAndPicturesAreSavedIntoNewFilesAndToldOf() throws IOException {
+        RecordingDirector director = new RecordingDirector("en");
+        director.measurements = Optional.of(folder.resolve("measurements"));
+        LaboratoryScene scene = new LaboratoryScene(director);
+        run(scene, 3);
+        click(scene, "CSV");
+        click(scene, "CSV");
+        Path second = folder.resolve("measurements/billiard-2.csv");
+        List<String> lines = Files.readAllLines(second);
+        assertThat(lines.get(0)).startsWith("# billiard; left: Accuracy[substeps=1,");
+        assertThat(lines.get(1)).startsWith("time_s,distance_m,left_energy_percent,right_energy");
+        assertThat(lines).hasSize(2 + 3);
+        assertThat(lines.get(4)).startsWith("0.0500,");
+        assertThat(lines.get(4).split(",")).hasSameSizeAs(lines.get(1).split(","));
+        assertThat(String.join("", RecordingCanvas.of(scene).texts())).contains("billiard-2.csv");
+        click(scene, "Picture");
+        assertThat(director.pictures)
+                .containsExactly(folder.resolve("measurements/billiard-1.png"));
+    }
+
+    @Test
+    void aPlayerWithoutFilesIsToldThatNothingIsSaved() {
+        LaboratoryScene scene = open("stack");
+        click(scene, "CSV");
+        assertThat(RecordingCanvas.of(scene).texts())
+                .contains("Not saved: this player keeps no files");
     }
 
     @Test
@@ -133,10 +197,29 @@ class LaboratorySceneTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"en", "de"})
+    void everyDrawerCanBeRead(String language) {
+        RecordingDirector director = new RecordingDirector(language);
+        director.measurements = Optional.of(folder.resolve("measurements"));
+        LaboratoryScene scene = new LaboratoryScene(director);
+        for (int drawer = 0; drawer < Quantity.values().length; drawer++) {
+            scene.keyPressed(Key.G);
+            assertThat(Legibility.faults(scene)).isEmpty();
+            run(scene, 100);
+            assertThat(Legibility.faults(scene)).isEmpty();
+        }
+        scene.keyPressed(Key.X);
+        assertThat(Legibility.faults(scene)).isEmpty();
+        scene.keyPressed(Key.G);
+        scene.keyPressed(Key.C);
+        assertThat(Legibility.faults(scene)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
     void everythingCanBeReadAtAnyTime(String language) {
         for (Key experiment : EXPERIMENTS) {
             for (Preset preset : Preset.values()) {
-                LaboratoryScene scene = new LaboratoryScene(new Words(language));
+                LaboratoryScene scene = new LaboratoryScene(new RecordingDirector(language));
                 scene.keyPressed(experiment);
                 scene.left().choose(preset);
                 for (int second = 0; second < 10; second += 2) {

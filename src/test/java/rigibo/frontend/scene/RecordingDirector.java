@@ -26,6 +26,12 @@ public final class RecordingDirector implements Director {
     /** Where solved runs are kept. */
     public Optional<Path> replays = Optional.empty();
 
+    /** Where what the player measures is kept. */
+    public Optional<Path> measurements = Optional.empty();
+
+    /** Pictures that were to be saved. */
+    public final List<Path> pictures = new ArrayList<>();
+
     /** Where levels that the player makes are kept. */
     public Optional<Path> levels = Optional.empty();
 
@@ -64,6 +70,16 @@ public final class RecordingDirector implements Director {
     @Override
     public void say(String words) {
         said.add(words);
+    }
+
+    @Override
+    public Optional<Path> measurements() {
+        return measurements;
+    }
+
+    @Override
+    public void savePicture(Path file) {
+        pictures.add(file);
     }
 
     @Override

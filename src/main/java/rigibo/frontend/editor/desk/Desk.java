@@ -1,9 +1,11 @@
 package rigibo.frontend.editor.desk;
 
 import rigibo.frontend.editor.draft.Clicks;
+import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.EffectUse;
 import rigibo.frontend.editor.draft.Form;
+import rigibo.frontend.editor.draft.Gluing;
 import rigibo.frontend.editor.draft.Grid;
 import rigibo.frontend.editor.draft.History;
 import rigibo.frontend.editor.draft.Item;
@@ -34,6 +36,8 @@ public final class Desk {
     private final Camera camera;
     private History history;
     private String chosen = "";
+    private Leaf bodyLeaf = Leaf.SHAPE;
+    private Leaf levelLeaf = Leaf.LEVEL;
     private Grid grid = Grid.ON;
     private Substance substance = Substance.RIGIBO;
     private Set<Modifier> held = Set.of();
@@ -63,6 +67,25 @@ public final class Desk {
     /** The camera through which the draft is seen. */
     public Camera camera() {
         return camera;
+    }
+
+    /** The leaf to which the fields of a body are turned. */
+    public Leaf bodyLeaf() {
+        return bodyLeaf;
+    }
+
+    /** The leaf to which the fields of the level are turned. */
+    public Leaf levelLeaf() {
+        return levelLeaf;
+    }
+
+    /** Turns the fields to a leaf. */
+    public void turnTo(Leaf leaf) {
+        if (Leaf.OF_BODY.contains(leaf)) {
+            bodyLeaf = leaf;
+        } else {
+            levelLeaf = leaf;
+        }
     }
 
     /** The grid to which things snap. */
@@ -138,13 +161,13 @@ public final class Desk {
 
     /** The material of new bodies. */
     public Substance substance() {
-        return item().filter(Desk::isBody).map(Item::substance).orElse(substance);
+        return item().filter(Item::hasMaterial).map(Item::substance).orElse(substance);
     }
 
-    /** Gives the selected body a material, and all new bodies from now on. */
+    /** Gives the selected body or ball a material, and all new bodies from now on. */
     public void substance(Substance made) {
         substance = made;
-        item().filter(Desk::isBody)
+        item().filter(Item::hasMaterial)
                 .map(body -> body.with("material", text(made.title())))
                 .ifPresent(this::put);
     }
@@ -160,17 +183,46 @@ public final class Desk {
 
     /** Adds a body and selects it. A RigiBo can be deleted in play; other bodies stay. */
     public void place(Form form, Point at) {
+        place(form, at, 0);
+    }
+
+    /** Adds a turned body and selects it, degrees. */
+    public void place(Form form, Point at, double degrees) {
         ObjectNode body = JsonNodeFactory.instance.objectNode();
         body.set("shape", form.node());
         body.put("x", at.x()).put("y", at.y());
-        body.put("material", substance.title());
-        body.put("dynamic", true).put("deletable", substance == Substance.RIGIBO);
+        if (degrees != 0) {
+            body.set("angle", Decimal.of(degrees));
+        }
+        boolean moves = !form.isLandscape();
+        // The game's creatures are to be clicked, which a landscape never is.
+        boolean isGround = !moves && substance == Substance.RIGIBO;
+        body.put("material", (isGround ? Substance.STONE : substance).title());
+        body.put("dynamic", moves).put("deletable", moves && substance == Substance.RIGIBO);
         add(body);
     }
 
     private void add(ObjectNode body) {
-        change(draft().plus(body));
+        change(draft().plus(body).inFormatTwo());
         choose(draft().lastBody().pointer());
+    }
+
+    /** Makes a body part of another one, which is selected then. */
+    public void glue(Item keeper, Item given) {
+        change(Gluing.glued(draft(), keeper, given).inFormatTwo());
+        draft().items().stream()
+                .filter(item -> item.id().equals(keeper.id()))
+                .forEach(item -> choose(item.pointer()));
+    }
+
+    /** Makes each part of a body a body of its own. */
+    public void takeApart(Item body) {
+        change(Gluing.apart(draft(), body));
+    }
+
+    /** Gives a body another outline, which the first format may lack. */
+    public void form(Item body, Form form) {
+        change(draft().with(body.formed(form)).inFormatTwo());
     }
 
     /** Adds a ball and selects it. */
@@ -200,15 +252,12 @@ public final class Desk {
      */
     public void click(Item body, Optional<Verb> verb, boolean isOn) {
         Draft next = draft().with(body.clicked(verb, isOn));
-        change(verb.isPresent() ? Joinery.inFormatTwo(next) : next);
+        change(verb.isPresent() ? next.inFormatTwo() : next);
     }
 
-    /** Makes a body a fan or magnet, or no longer; levels of format 2 have them. */
-    public void source(String pointer, JsonNode stated, boolean isThere) {
-        change(
-                isThere
-                        ? Joinery.inFormatTwo(draft().with(pointer, stated))
-                        : draft().without(pointer));
+    /** Gives the draft a member that the first format lacks, or takes it away. */
+    public void member(String pointer, JsonNode stated, boolean isThere) {
+        change(isThere ? draft().with(pointer, stated).inFormatTwo() : draft().without(pointer));
     }
 
     /** Adds a copy beside the selected body and selects it. */

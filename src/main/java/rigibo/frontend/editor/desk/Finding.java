@@ -27,11 +27,4 @@ public record Finding(Problem problem) {
         Matcher matcher = CODE.matcher(problem.message());
         return matcher.matches() ? matcher.group(1) : "schema";
     }
-
-    /** The full message, with the position in the document. */
-    public String words() {
-        return problem.pointer().isEmpty()
-                ? problem.message()
-                : problem.pointer() + ": " + problem.message();
-    }
 }

@@ -89,17 +89,11 @@ public final class Joining {
     private Optional<JointEntry> spanAt(Point point) {
         return topmost().stream()
                 .filter(joint -> joint.type().hasTwoPoints())
-                .filter(joint -> isNear(joint.point("from"), joint.point("to"), point))
+                .filter(
+                        joint ->
+                                point.isNear(
+                                        joint.point("from"), joint.point("to"), desk.metres(ASIDE)))
                 .findFirst();
-    }
-
-    private boolean isNear(Point from, Point to, Point point) {
-        Point way = to.minus(from);
-        Point there = point.minus(from);
-        double square = way.x() * way.x() + way.y() * way.y();
-        double along = there.x() * way.x() + there.y() * way.y();
-        double share = square > 0 ? Math.max(0, Math.min(1, along / square)) : 0;
-        return there.minus(way.times(share)).length() <= desk.metres(ASIDE);
     }
 
     /**

@@ -1,7 +1,7 @@
 package rigibo.frontend.editor.draft;
 
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
+import rigibo.frontend.puzzle.level.Outline;
 
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
@@ -14,8 +14,27 @@ import java.util.Optional;
  *
  * @param width m
  * @param height m
+ * @param round radius of its corners, m; 0 for sharp ones
  */
-public record Box(double width, double height) implements Form {
+public record Box(double width, double height, double round) implements Form {
+
+    /** Largest radius that a level file allows, as a share of the smaller side. */
+    private static final double MOST_ROUND = 0.45;
+
+    /** A box with sharp corners. */
+    public Box(double width, double height) {
+        this(width, height, 0);
+    }
+
+    /** Returns this box at another size, its corners no rounder than that allows. */
+    public Box sized(double wide, double high) {
+        return new Box(wide, high, Math.min(round, mostRound(wide, high)));
+    }
+
+    /** Largest radius of the corners of a box, m. */
+    public static double mostRound(double wide, double high) {
+        return Decimal.rounded(MOST_ROUND * Math.min(wide, high));
+    }
 
     @Override
     public List<Point> corners() {
@@ -36,7 +55,8 @@ public record Box(double width, double height) implements Form {
 
     @Override
     public Optional<Shape> shape() {
-        return width > 0 && height > 0 ? Optional.of(Polygon.box(width, height)) : Optional.empty();
+        boolean isThick = Math.min(width, height) > 2 * round;
+        return isThick ? Optional.of(Outline.of(node()).shape()) : Optional.empty();
     }
 
     @Override
@@ -45,6 +65,9 @@ public record Box(double width, double height) implements Form {
         node.put("type", "box");
         node.set("w", Decimal.of(width));
         node.set("h", Decimal.of(height));
+        if (round > 0) {
+            node.set("round", Decimal.of(round));
+        }
         return node;
     }
 }

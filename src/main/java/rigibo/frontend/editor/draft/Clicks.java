@@ -44,7 +44,8 @@ public final class Clicks {
         return draft.with(POINTER, kept.add(node(draft, solution)));
     }
 
-    private static JsonNode node(Draft draft, Solution solution) {
+    /** Clicks as a level file states a solution. */
+    static JsonNode node(Draft draft, Solution solution) {
         Set<String> joints = JointEntry.ids(draft);
         ArrayNode clicks = NODES.arrayNode();
         for (Click click : solution.clicks()) {

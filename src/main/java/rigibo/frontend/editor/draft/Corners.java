@@ -1,5 +1,7 @@
 package rigibo.frontend.editor.draft;
 
+import rigibo.backend.geometry.Compound;
+import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 
@@ -89,13 +91,50 @@ public record Corners(List<Point> corners) implements Form {
                 .orElse(new Point(0, 0));
     }
 
-    private Optional<Polygon> polygon() {
-        double[] xy =
-                counterClockwise().stream()
-                        .flatMapToDouble(point -> DoubleStream.of(point.x(), point.y()))
-                        .toArray();
+    private double[] xy() {
+        return counterClockwise().stream()
+                .flatMapToDouble(point -> DoubleStream.of(point.x(), point.y()))
+                .toArray();
+    }
+
+    /** Whether it must be cut into convex parts to be simulated, and can be. */
+    public boolean isConcave() {
+        return whole() instanceof Parts;
+    }
+
+    /**
+     * Returns this outline where it is convex, else the convex parts into which it can be cut; the
+     * outline as it is where it crosses itself, or has more parts than a file may state.
+     */
+    public Form whole() {
+        if (polygon().isPresent()) {
+            return this;
+        }
         try {
-            return Optional.of(Polygon.of(xy));
+            Compound cut = Compound.ofOutline(xy());
+            List<Corners> parts = new ArrayList<>();
+            for (int i = 0; i < cut.parts(); i++) {
+                parts.add(corners(cut.part(i)));
+            }
+            return parts.size() <= MOST ? new Parts(Gluing.compound(parts)) : this;
+        } catch (IllegalArgumentException refused) {
+            // What crosses itself stays as it is, beside the loader's message.
+            return this;
+        }
+    }
+
+    private static Corners corners(Part part) {
+        Polygon piece = (Polygon) part.shape();
+        List<Point> corners = new ArrayList<>();
+        for (int i = 0; i < piece.corners(); i++) {
+            corners.add(new Point(part.x() + piece.cornerX(i), part.y() + piece.cornerY(i)));
+        }
+        return new Corners(corners);
+    }
+
+    private Optional<Polygon> polygon() {
+        try {
+            return Optional.of(Polygon.of(xy()));
         } catch (IllegalArgumentException refused) {
             // A polygon that is half drawn or not convex is shown as an outline, beside the
             // loader's message.
@@ -103,7 +142,8 @@ public record Corners(List<Point> corners) implements Form {
         }
     }
 
-    private List<Point> counterClockwise() {
+    /** The corners in counter-clockwise order. */
+    List<Point> counterClockwise() {
         double twiceArea = 0;
         for (int i = 0; i < corners.size(); i++) {
             twiceArea += corners.get(i).cross(corners.get((i + 1) % corners.size()));
@@ -128,7 +168,7 @@ public record Corners(List<Point> corners) implements Form {
         node.put("type", "polygon");
         ArrayNode points = node.putArray("points");
         for (Point corner : corners) {
-            points.addArray().add(Decimal.of(corner.x())).add(Decimal.of(corner.y()));
+            points.add(JointEntry.node(corner));
         }
         return node;
     }

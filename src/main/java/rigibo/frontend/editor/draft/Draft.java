@@ -22,6 +22,9 @@ public final class Draft {
     private static final String BODIES = "/bodies";
     static final String MORE_BALLS = "/moreBalls";
 
+    /** The first format with joints. */
+    private static final int FORMAT = 2;
+
     private final ObjectNode root;
 
     private Draft(ObjectNode root) {
@@ -75,6 +78,11 @@ public final class Draft {
         return at(pointer) instanceof ObjectNode node && node.has("x")
                 ? Optional.of(new Item(pointer, node))
                 : Optional.empty();
+    }
+
+    /** Returns this draft in the first format with joints, paths, and clicks besides deleting. */
+    public Draft inFormatTwo() {
+        return with("/format", NODES.numberNode(FORMAT));
     }
 
     /** Returns this draft with an item replaced. */

@@ -7,19 +7,20 @@ import tools.jackson.databind.node.ObjectNode;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * An outline relative to the point at which its item is placed; it may be one that cannot be
  * simulated.
  */
-public sealed interface Form permits Box, Disc, Corners, Kept {
-
-    /** Shapes of a level file that are shown, moved and turned, and not edited otherwise. */
-    Set<String> BEYOND_TOOLS = Set.of("capsule", "compound", "chain");
+public sealed interface Form permits Box, Disc, Pill, Corners, Landscape, Parts {
 
     /** Corners in their order, m; none of a disc. */
     List<Point> corners();
+
+    /** The lines by which it is drawn, each of corners in their order, m; none of a disc. */
+    default List<List<Point>> lines() {
+        return List.of(corners());
+    }
 
     /** Whether a point lies within, m. */
     boolean contains(Point point);
@@ -29,6 +30,16 @@ public sealed interface Form permits Box, Disc, Corners, Kept {
 
     /** The engine's shape; empty if the engine refuses it. */
     Optional<Shape> shape();
+
+    /** Whether it ends at its last corner instead of leading back to the first one. */
+    default boolean isOpen() {
+        return false;
+    }
+
+    /** Whether it is a landscape, which has no mass and cannot move. */
+    default boolean isLandscape() {
+        return false;
+    }
 
     /** Position of that shape's centre of mass, m. */
     default Point centre() {
@@ -40,20 +51,14 @@ public sealed interface Form permits Box, Disc, Corners, Kept {
 
     /** A body's {@code shape}. */
     static Form of(JsonNode shape) {
-        if (shape instanceof ObjectNode stated && isBeyondTools(stated)) {
-            return new Kept(stated);
-        }
         return switch (shape.path("type").asString("")) {
-            case "box" -> new Box(number(shape, "w"), number(shape, "h"));
+            case "box" -> new Box(number(shape, "w"), number(shape, "h"), number(shape, "round"));
             case "circle" -> new Disc(number(shape, "r"));
+            case "capsule" -> new Pill(number(shape, "length"), number(shape, "r"));
+            case "compound" -> new Parts((ObjectNode) shape);
+            case "chain" -> Landscape.of(shape);
             default -> Corners.of(shape.path("points"));
         };
-    }
-
-    /** Whether the editor's tools would lose a part of the shape. */
-    private static boolean isBeyondTools(ObjectNode shape) {
-        String type = shape.path("type").asString("");
-        return BEYOND_TOOLS.contains(type) || shape.has("round");
     }
 
     private static double number(JsonNode shape, String name) {

@@ -93,6 +93,11 @@ public record Item(String pointer, ObjectNode node) {
                 .orElse(usual);
     }
 
+    /** Whether its material can be chosen; the platform's is its mark. */
+    public boolean hasMaterial() {
+        return kind() != Kind.PLATFORM;
+    }
+
     /** Whether a click deletes it in play. */
     public boolean isDeletable() {
         return node.path("deletable").asBoolean(false);
@@ -165,6 +170,13 @@ public record Item(String pointer, ObjectNode node) {
     /** The corners in the world, m; none of a disc. */
     public List<Point> corners() {
         return form().corners().stream().map(this::toWorld).toList();
+    }
+
+    /** The lines by which its outline is drawn, in the world, m; none of a disc. */
+    public List<List<Point>> lines() {
+        return form().lines().stream()
+                .map(line -> line.stream().map(this::toWorld).toList())
+                .toList();
     }
 
     /** Returns this item at another place, m. */

@@ -11,6 +11,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 
 /** The joints of a draft, and their changes when their bodies change. */
@@ -19,9 +20,6 @@ public final class Joinery {
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
     private static final String PLATFORM = "platform";
     private static final String BALL = "ball";
-
-    /** The first format with joints. */
-    private static final int FORMAT = 2;
 
     /** Frequencies of new springs, Hz: that of a car's strut, and one that can be seen swinging. */
     private static final double STRUT_HERTZ = 4;
@@ -88,12 +86,7 @@ public final class Joinery {
     public static Draft plus(Draft draft, ObjectNode joint) {
         ArrayNode more = NODES.arrayNode();
         draft.at(JointEntry.JOINTS).forEach(more::add);
-        return inFormatTwo(draft).with(JointEntry.JOINTS, more.add(joint));
-    }
-
-    /** Returns the draft in the first format with joints, and with clicks besides deleting. */
-    public static Draft inFormatTwo(Draft draft) {
-        return draft.with("/format", NODES.numberNode(FORMAT));
+        return draft.inFormatTwo().with(JointEntry.JOINTS, more.add(joint));
     }
 
     /** The draft without a joint, and without the solutions that click it. */
@@ -130,17 +123,31 @@ public final class Joinery {
     /** Returns the draft without the joints of an item that was removed. */
     static Draft forget(Draft draft, Item gone) {
         String name = name(gone);
+        Draft rest = kept(draft, joint -> !holds(joint, name));
+        return gone.isFurtherBall() ? closedUp(rest, name) : rest;
+    }
+
+    /**
+     * Returns the draft with the joints of one item given to another one, and without those that
+     * joined the two.
+     */
+    static Draft handedOver(Draft draft, String from, String to) {
+        return kept(
+                renamed(draft, from, to),
+                joint -> !joint.path("a").asString("").equals(joint.path("b").asString("")));
+    }
+
+    private static Draft kept(Draft draft, Predicate<JsonNode> stays) {
         ArrayNode kept = NODES.arrayNode();
         for (JsonNode joint : draft.at(JointEntry.JOINTS)) {
-            if (!holds(joint, name)) {
+            if (stays.test(joint)) {
                 kept.add(joint);
             }
         }
-        if (kept.isEmpty()) {
-            return Clicks.forgetJoints(draft.without(JointEntry.JOINTS));
-        }
-        Draft rest = Clicks.forgetJoints(draft.with(JointEntry.JOINTS, kept));
-        return gone.isFurtherBall() ? closedUp(rest, name) : rest;
+        return Clicks.forgetJoints(
+                kept.isEmpty()
+                        ? draft.without(JointEntry.JOINTS)
+                        : draft.with(JointEntry.JOINTS, kept));
     }
 
     /** Renumbers the balls after one that was removed. */

@@ -40,6 +40,16 @@ public record Point(double x, double y) {
         return Math.toDegrees(Math.atan2(y, x));
     }
 
+    /** Whether this point is within a distance of the line from one point to another, m. */
+    public boolean isNear(Point from, Point to, double distance) {
+        Point way = to.minus(from);
+        Point there = minus(from);
+        double square = way.x * way.x + way.y * way.y;
+        double along = there.x * way.x + there.y * way.y;
+        double share = square > 0 ? Math.max(0, Math.min(1, along / square)) : 0;
+        return there.minus(way.times(share)).length() <= distance;
+    }
+
     /**
      * Cross product of this displacement and another one, m²; positive if the other one lies to the
      * left.

@@ -3,6 +3,7 @@ package rigibo.frontend.editor.pane;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
+import java.util.List;
 import java.util.function.IntConsumer;
 
 /** Rows of fields, from the top of an area downwards. */
@@ -28,6 +29,18 @@ final class Column {
         Area row = new Area(area.x(), y, area.width(), ROW - GAP);
         y += ROW;
         return row;
+    }
+
+    /** Names side by side, one of which is open. */
+    void tabs(List<String> names, int open, IntConsumer turn) {
+        Area row = row();
+        double width = (row.width() - (names.size() - 1) * GAP) / names.size();
+        for (int i = 0; i < names.size(); i++) {
+            int at = i;
+            Area tab = new Area(row.x() + i * (width + GAP), row.y(), width, row.height());
+            Color plate = i == open ? Color.BRASS : Color.PANEL_LIT;
+            pane.button(tab, names.get(i), plate, "", () -> turn.accept(at));
+        }
     }
 
     void heading(String words) {
@@ -59,6 +72,17 @@ final class Column {
                 Color.PANEL_LIT,
                 words,
                 () -> nudge.accept(1));
+    }
+
+    /** A value over a whole row, between a minus and a plus. */
+    void wide(String words, IntConsumer nudge) {
+        Area row = row();
+        Area value = new Area(row.x() + SIGN, row.y(), row.width() - 2 * SIGN, row.height());
+        Area less = new Area(row.x(), row.y(), SIGN, row.height());
+        Area more = new Area(row.right() - SIGN, row.y(), SIGN, row.height());
+        pane.button(less, "–", Color.PANEL_LIT, words, () -> nudge.accept(-1));
+        pane.value(value, words, Canvas.Font.WORDS, false);
+        pane.button(more, "+", Color.PANEL_LIT, words, () -> nudge.accept(1));
     }
 
     /** A text over a whole row; a press on it begins to type. */

@@ -17,6 +17,9 @@ public enum Craft {
     CORNERS(Key.P),
     REGULAR(Key.N),
     BALL(Key.O),
+    CAPSULE(Key.A),
+    LANDSCAPE(Key.D),
+    GLUE(Key.J),
     HINGE(Key.H),
     WELD(Key.X),
     WHEEL(Key.W),
@@ -61,6 +64,13 @@ public enum Craft {
                 canvas.disc(x, y, HALF, ink);
                 canvas.ring(x, y, HALF - 4, 2, 1, Color.IRON);
             }
+            case CAPSULE -> canvas.frame(x - HALF, y - 6, 2 * HALF, 12, 6, ink);
+            case LANDSCAPE ->
+                    open(canvas, ink, x - 12, y + 4, x - 5, y - 6, x + 2, y + 6, x + 12, y);
+            case GLUE -> {
+                canvas.frame(x - HALF, y - HALF, 14, 14, 2, ink);
+                canvas.panel(x - 3, y - 3, 14, 14, 2, ink);
+            }
             case HINGE, WELD, WHEEL, SLIDE, ROD, ROPE, SPRING ->
                     JointIcon.draw(canvas, joint().orElseThrow(), x, y, ink);
         }
@@ -77,6 +87,12 @@ public enum Craft {
         closed(
                 canvas, ink, x - half, y - tall, x + half, y - tall, x + tall, y, x + half,
                 y + tall, x - half, y + tall, x - tall, y);
+    }
+
+    private static void open(Canvas canvas, Color ink, double... xy) {
+        for (int i = 0; i + 3 < xy.length; i += 2) {
+            canvas.line(xy[i], xy[i + 1], xy[i + 2], xy[i + 3], STROKE, ink);
+        }
     }
 
     private static void closed(Canvas canvas, Color ink, double... xy) {

@@ -1,6 +1,7 @@
 package rigibo.frontend.editor.pane;
 
 import rigibo.frontend.editor.desk.Desk;
+import rigibo.frontend.editor.desk.Leaf;
 import rigibo.frontend.editor.desk.Typing;
 import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Draft;
@@ -9,6 +10,7 @@ import rigibo.frontend.scene.Canvas;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
@@ -69,6 +71,18 @@ final class Fields {
     /** A number. */
     void number(String key, String pointer, Range range) {
         number(key, pointer, range, (draft, value) -> draft.with(pointer, Decimal.of(value)));
+    }
+
+    /** A number that the draft states only where it is not the usual one. */
+    void stated(String key, String pointer, Range range) {
+        number(
+                key,
+                pointer,
+                range,
+                (draft, value) ->
+                        value == range.usual()
+                                ? draft.without(pointer)
+                                : draft.with(pointer, Decimal.of(value)));
     }
 
     /** A whole number. */
@@ -136,6 +150,20 @@ final class Fields {
                 isOn,
                 words(key + ".told"),
                 () -> desk.change(desk.draft().with(pointer, other)));
+    }
+
+    /** A switch that gives the draft a member or takes it away. */
+    void member(String key, String pointer, boolean has, JsonNode usual) {
+        column.toggle(
+                words(key), has, words(key + ".told"), () -> desk.member(pointer, usual, !has));
+    }
+
+    /** The leaves that can be turned to, side by side. */
+    void leaves(List<Leaf> leaves, Leaf open) {
+        column.tabs(
+                leaves.stream().map(leaf -> words(leaf.key())).toList(),
+                leaves.indexOf(open),
+                i -> desk.turnTo(leaves.get(i)));
     }
 
     Column.Shown shown(String field, String held, Canvas.Font font) {

@@ -1,15 +1,16 @@
 package rigibo.frontend.editor.pane;
 
 import rigibo.frontend.editor.desk.Desk;
+import rigibo.frontend.editor.desk.Leaf;
+import rigibo.frontend.editor.draft.Box;
 import rigibo.frontend.editor.draft.Corners;
+import rigibo.frontend.editor.draft.Disc;
 import rigibo.frontend.editor.draft.Form;
 import rigibo.frontend.editor.draft.Item;
-import rigibo.frontend.editor.draft.Kept;
+import rigibo.frontend.editor.draft.Landscape;
+import rigibo.frontend.editor.draft.Pill;
 import rigibo.frontend.puzzle.level.Substance;
-import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.scene.Canvas;
-
-import java.util.List;
 
 /** The fields of the selected item. */
 final class ItemPane {
@@ -21,20 +22,36 @@ final class ItemPane {
     private static final Fields.Range PLATFORM = new Fields.Range(0.2, 20, 0.05, 0.2);
     private static final Fields.Range THICKNESS = new Fields.Range(0.05, 2, 0.05, 0.3);
     private static final Fields.Range RADIUS = new Fields.Range(0.05, 5, 0.05, 0.05);
+    private static final Fields.Range LENGTH = new Fields.Range(0, 20, 0.05, 0);
     private static final Fields.Range BALL = new Fields.Range(0.05, 2, 0.05, 0.05);
-    private static final Fields.Range REACH = new Fields.Range(0, 20, 0.1, 0);
-    private static final Fields.Range IMPULSE = new Fields.Range(1, 100_000, 50, 1);
-    private static final Fields.Range BELT = new Fields.Range(-20, 20, 0.1, 0);
 
     private ItemPane() {}
 
     static void draw(Fields fields, Item item) {
+        if (item.kind() == Item.Kind.BODY) {
+            Leaf leaf = fields.desk().bodyLeaf();
+            fields.leaves(Leaf.OF_BODY, leaf);
+            switch (leaf) {
+                case PLAY -> PlayPane.draw(fields, item);
+                case MATTER -> MatterPane.draw(fields, item);
+                default -> shape(fields, item);
+            }
+        } else {
+            shape(fields, item);
+        }
+    }
+
+    private static void shape(Fields fields, Item item) {
         String at = item.pointer();
         name(fields, item);
         fields.number("x", at + "/x", PLACE);
         fields.number("y", at + "/y", PLACE);
         switch (item.kind()) {
-            case BALL -> fields.number("radius", at + "/radius", BALL);
+            case BALL -> {
+                fields.number("radius", at + "/radius", BALL);
+                material(fields, item);
+                MatterPane.motion(fields, item);
+            }
             case PLATFORM -> {
                 fields.number("angle", at + "/angle", TILT);
                 fields.number("width", at + "/w", PLATFORM);
@@ -44,8 +61,7 @@ final class ItemPane {
         }
         if (item.isDispensable()) {
             Desk desk = fields.desk();
-            fields.column()
-                    .button(fields.words("remove"), fields.words("remove.told"), desk::remove);
+            button(fields, "remove", desk::remove);
         }
     }
 
@@ -67,51 +83,52 @@ final class ItemPane {
         fields.number("angle", at + "/angle", ANGLE);
         size(fields, item);
         material(fields, item);
-        fields.flag("moves", at + "/dynamic", !item.isFixed());
-        fields.flag("deletable", at + "/deletable", item.isDeletable());
-        if (!item.isSource()) {
-            fields.number("belt", at + "/surfaceSpeed", BELT);
-        }
-        if (!item.isDeletable()) {
-            click(fields, item);
-        }
-        if (item.isFixed()) {
-            SourcePane.draw(fields, item);
+        if (!item.node().has("path") && !item.form().isLandscape()) {
+            fields.flag("moves", at + "/dynamic", !item.isFixed());
         }
         Desk desk = fields.desk();
-        fields.column().button(fields.words("copy"), fields.words("copy.told"), desk::duplicate);
-    }
-
-    /** What a click does besides deleting, and the blast of a bomb. */
-    private static void click(Fields fields, Item item) {
-        List<Verb> fitting = item.fitting();
-        if (!fitting.isEmpty()) {
-            ClickRow.draw(
-                    fields,
-                    item.node(),
-                    fitting,
-                    next -> fields.desk().click(item, next.verb(), next.isOn()));
-        }
-        if (item.verb().filter(fitting::contains).filter(Verb.LIGHT::equals).isPresent()) {
-            fields.number("blast.radius", item.pointer() + "/blast/radius", REACH);
-            fields.number("blast.falloff", item.pointer() + "/blast/falloff", REACH);
-            fields.number("blast.impulse", item.pointer() + "/blast/impulse", IMPULSE);
-        }
+        button(fields, "copy", desk::duplicate);
     }
 
     private static void size(Fields fields, Item item) {
         String shape = item.pointer() + "/shape";
         Form form = item.form();
-        if (form instanceof Corners polygon) {
-            fields.column().note(fields.words("corners", polygon.corners().size()));
-        } else if (form instanceof Kept) {
-            fields.column().note(fields.words("kept"));
-        } else if (form.corners().isEmpty()) {
+        Desk desk = fields.desk();
+        if (form instanceof Box box) {
+            fields.number("width", shape + "/w", SIZE, resized(box, true, item));
+            fields.number("height", shape + "/h", SIZE, resized(box, false, item));
+            double most = Box.mostRound(box.width(), box.height());
+            fields.stated("round", shape + "/round", new Fields.Range(0, most, 0.05, 0));
+        } else if (form instanceof Disc) {
             fields.number("radius", shape + "/r", RADIUS);
+        } else if (form instanceof Pill) {
+            fields.number("length", shape + "/length", LENGTH);
+            fields.number("radius", shape + "/r", RADIUS);
+        } else if (form instanceof Corners polygon) {
+            fields.column().note(fields.words("corners", polygon.corners().size()));
+            if (polygon.isConcave()) {
+                button(fields, "split", () -> desk.form(item, polygon.whole()));
+            }
+        } else if (form instanceof Landscape landscape) {
+            fields.column().note(fields.words("points", landscape.corners().size()));
+            button(fields, "over", () -> desk.put(item.formed(landscape.turnedOver())));
         } else {
-            fields.number("width", shape + "/w", SIZE);
-            fields.number("height", shape + "/h", SIZE);
+            fields.column().note(fields.words("parts", item.node().at("/shape/parts").size()));
+            button(fields, "apart", () -> desk.takeApart(item));
         }
+    }
+
+    private static Fields.Edit resized(Box box, boolean isWidth, Item item) {
+        return (draft, value) ->
+                draft.with(
+                        item.formed(
+                                isWidth
+                                        ? box.sized(value, box.height())
+                                        : box.sized(box.width(), value)));
+    }
+
+    private static void button(Fields fields, String key, Runnable action) {
+        fields.column().button(fields.words(key), fields.words(key + ".told"), action);
     }
 
     private static void material(Fields fields, Item item) {

@@ -6,7 +6,9 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.widget.Sign;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 
 /** The problems, one line each; a press selects the item at fault. */
 public final class ProblemPane {
@@ -16,8 +18,12 @@ public final class ProblemPane {
 
     private ProblemPane() {}
 
-    /** Draws as many as there is room for, and how many more there are. */
-    public static void draw(Pane pane, Area area, List<Finding> findings, Consumer<String> choose) {
+    /**
+     * Draws as many as there is room for, and how many more there are; returns the one under the
+     * pointer.
+     */
+    public static Optional<Finding> draw(
+            Pane pane, Area area, List<Finding> findings, Consumer<String> choose) {
         pane.plate(area);
         Area inner = area.inset(8);
         int rows = (int) (inner.height() / ROW) - 1;
@@ -36,6 +42,10 @@ public final class ProblemPane {
             String more = pane.words().of("editor.more", findings.size() - shown);
             pane.text(row(inner, rows), more, Canvas.Align.LEFT, Color.TEXT_DIM);
         }
+        return IntStream.range(0, shown)
+                .filter(i -> pane.isHot(row(inner, i + 1)))
+                .mapToObj(findings::get)
+                .findFirst();
     }
 
     private static Area row(Area inner, int i) {
@@ -47,12 +57,16 @@ public final class ProblemPane {
         Area words = new Area(row.x() + ICON, row.y(), row.width() - ICON, row.height());
         Color ink = pane.isHot(row) ? Color.TEXT : Color.TEXT_DIM;
         pane.text(words, name(pane, finding), Canvas.Align.LEFT, ink);
-        pane.spots().add(row, finding.words(), () -> choose.accept(finding.item()));
+        pane.spots().add(row, "", () -> choose.accept(finding.item()));
     }
 
-    /** In the player's language; what lies behind it is told in the words of the check. */
-    public static String name(Pane pane, Finding finding) {
+    private static String name(Pane pane, Finding finding) {
         return pane.words().of("editor.problem." + finding.code());
+    }
+
+    /** What is wrong and what helps, in a sentence of the player's language. */
+    public static String told(Pane pane, Finding finding) {
+        return pane.words().of("editor.problem." + finding.code() + ".told");
     }
 
     /** A cross in a disc for an error, a bar in a ring for a warning: not by colour alone. */

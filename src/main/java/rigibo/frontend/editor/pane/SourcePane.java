@@ -5,10 +5,11 @@ import rigibo.frontend.editor.draft.Item;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
-/** The fields of the fan or magnet that a fixed body is; it is turned to turn its stream. */
+/** The fields of the fan or magnet that a fixed body is. */
 final class SourcePane {
 
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
+    private static final Fields.Range ANGLE = new Fields.Range(-360, 360, 15, 90);
     private static final Fields.Range WIDTH = new Fields.Range(0.05, 20, 0.1, 1);
     private static final Fields.Range REACH = new Fields.Range(0.05, 50, 0.25, 1);
     private static final Fields.Range FORCE = new Fields.Range(-100_000, 100_000, 100, 0);
@@ -24,29 +25,19 @@ final class SourcePane {
         boolean isFan = item.node().has("fan");
         boolean isMagnet = item.node().has("magnet");
         if (!isMagnet) {
-            toggle(fields, "fan", fan, isFan, stream);
+            fields.member("fan", fan, isFan, stream);
         }
         if (isFan) {
+            fields.stated("fan.angle", fan + "/angle", ANGLE);
             fields.number("fan.width", fan + "/width", WIDTH);
             fields.number("fan.reach", fan + "/reach", REACH);
             fields.number("fan.force", fan + "/force", FORCE);
         } else {
-            toggle(fields, "magnet", magnet, isMagnet, pull);
+            fields.member("magnet", magnet, isMagnet, pull);
         }
         if (isMagnet) {
             fields.number("magnet.strength", magnet + "/strength", PULL);
             fields.number("magnet.reach", magnet + "/reach", REACH);
         }
-    }
-
-    /** A switch that gives the body a member or takes it away. */
-    private static void toggle(
-            Fields fields, String member, String pointer, boolean has, JsonNode usual) {
-        fields.column()
-                .toggle(
-                        fields.words(member),
-                        has,
-                        fields.words(member + ".told"),
-                        () -> fields.desk().source(pointer, usual, !has));
     }
 }

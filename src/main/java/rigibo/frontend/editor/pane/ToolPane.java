@@ -15,8 +15,8 @@ public final class ToolPane {
     private static final double PITCH = 44;
     private static final double SWATCH = 30;
 
-    /** As many tools for bodies, and for joints: each has a column. */
-    private static final int ROWS = 7;
+    /** Tools for bodies, which are more than those for joints beside them. */
+    private static final int ROWS = 9;
 
     private static final int SWATCHES = 4;
 

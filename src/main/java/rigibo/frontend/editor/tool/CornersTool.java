@@ -2,7 +2,10 @@ package rigibo.frontend.editor.tool;
 
 import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.draft.Corners;
+import rigibo.frontend.editor.draft.Form;
 import rigibo.frontend.editor.draft.Grid;
+import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.Landscape;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
@@ -13,19 +16,36 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Sets the corners of a polygon, one per click; a click on the first corner, or Enter, closes it.
+ * Sets the corners of a polygon or landscape, one per click. A click on the first corner closes it;
+ * Enter closes a polygon, and ends a landscape where it is.
  */
 public final class CornersTool implements Tool {
 
     /** How near to the first corner a click closes the polygon, px. */
     private static final double REACH = 10;
 
+    /** What the corners become. */
+    public enum Kind {
+        POLYGON(Corners.FEWEST, Corners.MOST),
+        LANDSCAPE(Landscape.FEWEST, Landscape.MOST);
+
+        private final int fewest;
+        private final int most;
+
+        Kind(int fewest, int most) {
+            this.fewest = fewest;
+            this.most = most;
+        }
+    }
+
     private final Desk desk;
+    private final Kind kind;
     private final List<Point> corners = new ArrayList<>();
     private Point pointer = new Point(0, 0);
 
-    public CornersTool(Desk desk) {
+    public CornersTool(Desk desk, Kind kind) {
         this.desk = desk;
+        this.kind = kind;
     }
 
     @Override
@@ -34,24 +54,32 @@ public final class CornersTool implements Tool {
         boolean closes =
                 !corners.isEmpty() && corners.get(0).minus(at).length() <= desk.metres(REACH);
         if (closes) {
-            close();
+            finish(true);
         } else {
             corners.add(desk.grid().snap(at));
-            if (corners.size() == Corners.MOST) {
-                close();
+            if (corners.size() == kind.most) {
+                finish(kind == Kind.POLYGON);
             }
         }
     }
 
-    private void close() {
-        if (corners.size() < Corners.FEWEST) {
+    private void finish(boolean isClosed) {
+        if (corners.size() < (isClosed ? Corners.FEWEST : kind.fewest)) {
             return;
         }
         Point sum = corners.stream().reduce(new Point(0, 0), Point::plus);
         Point middle = Grid.ON.snap(sum.times(1.0 / corners.size()));
-        desk.place(
-                new Corners(corners.stream().map(corner -> corner.minus(middle)).toList()), middle);
+        List<Point> own = corners.stream().map(corner -> corner.minus(middle)).toList();
+        desk.place(form(own, middle, isClosed), middle);
         corners.clear();
+    }
+
+    private Form form(List<Point> own, Point middle, boolean isClosed) {
+        if (kind == Kind.POLYGON) {
+            return new Corners(own).whole();
+        }
+        Point ball = desk.draft().item("/ball").map(Item::place).orElse(middle);
+        return isClosed ? Landscape.loop(own, ball.minus(middle)) : Landscape.ground(own);
     }
 
     @Override
@@ -65,7 +93,7 @@ public final class CornersTool implements Tool {
             return false;
         }
         if (key == Key.ENTER) {
-            close();
+            finish(kind == Kind.POLYGON);
         } else if (key == Key.BACKSPACE) {
             corners.remove(corners.size() - 1);
         }

@@ -51,7 +51,7 @@ public final class DrawTool implements Tool {
             desk.item().map(desk.grid()::snap).ifPresent(desk::put);
         } else {
             Point start = desk.grid().snap(from);
-            desk.place(form(), stencil.middle(start, way()));
+            desk.place(form(), stencil.middle(start, way()), stencil.degrees(way()));
         }
         desk.history().end();
         from = null;
@@ -86,17 +86,21 @@ public final class DrawTool implements Tool {
     public void draw(Canvas canvas) {
         if (from != null) {
             Point middle = stencil.middle(desk.grid().snap(from), way());
-            outline(canvas, desk.camera(), middle, form());
+            outline(canvas, desk.camera(), middle, form(), stencil.degrees(way()));
         }
     }
 
-    private static void outline(Canvas canvas, Camera camera, Point middle, Form form) {
+    private static void outline(
+            Canvas canvas, Camera camera, Point middle, Form form, double degrees) {
         if (form instanceof Disc disc) {
             double radius = disc.radius() * camera.scale();
             double x = camera.screenX(middle.x());
             canvas.ring(x, camera.screenY(middle.y()), radius, 2, 1, Color.BRASS);
         }
         Outlines.draw(
-                canvas, camera, form.corners().stream().map(middle::plus).toList(), Color.BRASS);
+                canvas,
+                camera,
+                form.corners().stream().map(corner -> middle.plus(corner.turned(degrees))).toList(),
+                Color.BRASS);
     }
 }

@@ -16,6 +16,8 @@ record Handle(Kind kind, Point at, Function<Point, Item> moved) {
 
     enum Kind {
         SIZE,
-        TURN
+        TURN,
+        /** Where a driven body stops. */
+        STOP
     }
 }

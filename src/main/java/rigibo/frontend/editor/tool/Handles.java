@@ -3,9 +3,12 @@ package rigibo.frontend.editor.tool;
 import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.draft.Box;
 import rigibo.frontend.editor.draft.Corners;
+import rigibo.frontend.editor.draft.Course;
 import rigibo.frontend.editor.draft.Disc;
 import rigibo.frontend.editor.draft.Form;
 import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.Landscape;
+import rigibo.frontend.editor.draft.Pill;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.scene.Modifier;
 
@@ -37,13 +40,32 @@ final class Handles {
             for (int i = 0; i < polygon.corners().size(); i++) {
                 handles.add(corner(desk, item, polygon, i));
             }
+        } else if (form instanceof Landscape landscape) {
+            for (int i = 0; i < landscape.corners().size(); i++) {
+                handles.add(point(desk, item, landscape, i));
+            }
+        } else if (form instanceof Pill pill) {
+            handles.add(end(desk, item, pill, 1));
+            handles.add(end(desk, item, pill, -1));
+            handles.add(thickness(desk, item, pill));
         } else if (form instanceof Disc) {
             handles.add(radius(desk, item, form.reach()));
+        }
+        Course course = new Course(item);
+        for (int i = 0; i < course.stops().size(); i++) {
+            handles.add(stop(desk, course, i));
         }
         if (item.kind() != Item.Kind.BALL) {
             handles.add(turn(desk, item, form.reach()));
         }
         return handles;
+    }
+
+    private static Handle stop(Desk desk, Course course, int i) {
+        return new Handle(
+                Handle.Kind.STOP,
+                course.stops().get(i),
+                to -> course.moved(i, desk.grid().snap(to)));
     }
 
     private static Handle radius(Desk desk, Item item, double radius) {
@@ -72,7 +94,7 @@ final class Handles {
                     double width = size(desk, way.x() * right);
                     double height = size(desk, way.y() * up);
                     Point half = new Point(right * width / 2, up * height / 2);
-                    return item.formed(new Box(width, height))
+                    return item.formed(box.sized(width, height))
                             .at(opposite.plus(half.turned(item.degrees())));
                 });
     }
@@ -82,6 +104,36 @@ final class Handles {
                 Handle.Kind.SIZE,
                 item.toWorld(polygon.corners().get(i)),
                 to -> item.formed(polygon.with(i, item.toOwn(desk.grid().snap(to)))));
+    }
+
+    private static Handle point(Desk desk, Item item, Landscape landscape, int i) {
+        return new Handle(
+                Handle.Kind.SIZE,
+                item.toWorld(landscape.corners().get(i)),
+                to -> item.formed(landscape.with(i, item.toOwn(desk.grid().snap(to)))));
+    }
+
+    /** The other end stays where it is. */
+    private static Handle end(Desk desk, Item item, Pill pill, int side) {
+        Point other = item.toWorld(pill.end(-side));
+        return new Handle(
+                Handle.Kind.SIZE,
+                item.toWorld(pill.end(side)),
+                to -> {
+                    Point way = desk.grid().snap(to).minus(other).times(side);
+                    return item.formed(new Pill(way.length(), pill.radius()))
+                            .at(other.plus(way.times(side / 2.0)))
+                            .turnedTo(way.direction());
+                });
+    }
+
+    private static Handle thickness(Desk desk, Item item, Pill pill) {
+        return new Handle(
+                Handle.Kind.SIZE,
+                item.toWorld(new Point(0, pill.radius())),
+                to ->
+                        item.formed(
+                                new Pill(pill.length(), size(desk, Math.abs(item.toOwn(to).y())))));
     }
 
     private static Handle turn(Desk desk, Item item, double reach) {

@@ -27,13 +27,25 @@ public final class Outlines {
                     1,
                     color);
         }
-        draw(canvas, camera, item.corners(), color);
+        for (List<Point> line : item.lines()) {
+            if (item.form().isOpen()) {
+                drawOpen(canvas, camera, line, color);
+            } else {
+                draw(canvas, camera, line, color);
+            }
+        }
     }
 
     /** A closed line through corners, world m. */
     static void draw(Canvas canvas, Camera camera, List<Point> corners, Color color) {
         for (int i = 0; i < corners.size(); i++) {
             line(canvas, camera, corners.get(i), corners.get((i + 1) % corners.size()), color);
+        }
+    }
+
+    private static void drawOpen(Canvas canvas, Camera camera, List<Point> corners, Color color) {
+        for (int i = 0; i + 1 < corners.size(); i++) {
+            line(canvas, camera, corners.get(i), corners.get(i + 1), color);
         }
     }
 

@@ -4,6 +4,7 @@ import rigibo.frontend.editor.draft.Box;
 import rigibo.frontend.editor.draft.Corners;
 import rigibo.frontend.editor.draft.Disc;
 import rigibo.frontend.editor.draft.Form;
+import rigibo.frontend.editor.draft.Pill;
 import rigibo.frontend.editor.draft.Point;
 
 /** The shapes that can be drawn by dragging, from the press of the button to its release. */
@@ -29,6 +30,23 @@ public enum Stencil {
             return new Disc(Math.max(Handles.LEAST_SIZE, way.length()));
         }
     },
+    /** From end to end. */
+    CAPSULE(new Pill(0.8, Pill.USUAL)) {
+        @Override
+        Form form(Point way, int corners) {
+            return new Pill(way.length(), Pill.USUAL);
+        }
+
+        @Override
+        Point middle(Point from, Point way) {
+            return from.plus(way.times(0.5));
+        }
+
+        @Override
+        double degrees(Point way) {
+            return way.direction();
+        }
+    },
     /** From the middle to a corner. */
     REGULAR(new Disc(0.5)) {
         @Override
@@ -47,6 +65,10 @@ public enum Stencil {
 
     Point middle(Point from, Point way) {
         return from;
+    }
+
+    double degrees(Point way) {
+        return 0;
     }
 
     /** What a mere click makes. */

@@ -21,5 +21,5 @@ public record Limits(
         OptionalInt maxClicks,
         OptionalDouble timeLimit) {
 
-    static final double USUAL_GRACE = 0.25;
+    public static final double USUAL_GRACE = 0.25;
 }

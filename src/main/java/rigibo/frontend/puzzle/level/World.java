@@ -16,10 +16,10 @@ import java.util.OptionalDouble;
 public record World(double width, double height, Effects effects) {
 
     /** Of a plate of water 1 m deep, as the substances' densities are, kg/m². */
-    static final double USUAL_WATER = 1000;
+    public static final double USUAL_WATER = 1000;
 
     /** Calms a floating box within a second or two, 1/s. */
-    static final double USUAL_DRAG = 2;
+    public static final double USUAL_DRAG = 2;
 
     /** Gravity to the right, m/s²; 0 where it is not declared. */
     public double gravityX() {

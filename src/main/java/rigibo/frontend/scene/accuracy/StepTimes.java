@@ -28,6 +28,11 @@ public final class StepTimes {
         count = 0;
     }
 
+    /** Of the last step, ns; 0 while there is none. */
+    public long last() {
+        return count == 0 ? 0 : nanos[(count - 1) % WINDOW];
+    }
+
     /** ns; 0 while there is none. A median: what the machine does besides is no step's doing. */
     public double median() {
         int size = Math.min(count, WINDOW);

@@ -5,8 +5,8 @@ import rigibo.frontend.scene.Color;
 
 import java.util.List;
 
-/** A button for each experiment, side by side; that of the present one is lit. */
-final class ExperimentBar {
+/** Buttons side by side, of which that of the present choice is lit. */
+final class ButtonBar {
 
     /** px. */
     static final double HEIGHT = 46;
@@ -21,7 +21,7 @@ final class ExperimentBar {
     private int hot = NOTHING;
 
     /** A bar with its upper left corner at (x, y), px. */
-    ExperimentBar(List<String> titles, double x, double y, double width) {
+    ButtonBar(List<String> titles, double x, double y, double width) {
         this.titles = titles;
         this.x = x;
         this.y = y;
@@ -56,7 +56,7 @@ final class ExperimentBar {
         hot = isInside ? (int) Math.min(last, Math.max(0, (px - x - PADDING) / pitch())) : NOTHING;
     }
 
-    /** The experiment under the pointer as it last moved, or −1. */
+    /** The button under the pointer as it last moved, or −1. */
     int hot() {
         return hot;
     }
