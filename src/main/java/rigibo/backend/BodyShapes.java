@@ -153,7 +153,8 @@ final class BodyShapes {
 
     /** A part's surface material, with the density and drag of the body. */
     private static Material surface(Material stated, Material body) {
-        return stated.density(body.density()).drag(body.drag());
+        // Most bodies have one material, and most of these are the same object.
+        return stated == body ? body : stated.density(body.density()).drag(body.drag());
     }
 
     /** Writes the columns that depend on the materials again. */

@@ -248,7 +248,7 @@ final class FixtureGrid {
     /** Makes room for a fixture, and for as many entries as fixtures. */
     private void hold(int number) {
         if (number >= next.length) {
-            lengthen(Math.max(2 * next.length, number + 1));
+            lengthen(Math.max(next.length / 2 * 3, number + 1));
         }
         if (count == first.length) {
             first = filled(2 * first.length);

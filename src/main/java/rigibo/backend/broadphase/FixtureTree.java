@@ -170,7 +170,7 @@ final class FixtureTree {
 
     private void makeRoom(int nodes) {
         if (nodes > parent.length) {
-            int capacity = Math.max(nodes, 2 * parent.length);
+            int capacity = Math.max(nodes, parent.length / 2 * 3);
             parent = Arrays.copyOf(parent, capacity);
             child = Arrays.copyOf(child, 2 * capacity);
             box = Arrays.copyOf(box, 4 * capacity);
