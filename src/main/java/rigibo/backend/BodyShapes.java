@@ -1,6 +1,7 @@
 package rigibo.backend;
 
 import rigibo.backend.geometry.Chain;
+import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
@@ -20,6 +21,9 @@ final class BodyShapes {
 
     private final DataStorage data;
     private final Bodies bodies;
+
+    /** Outline of the disc that was written last; discs of one size in a row share it. */
+    private Outline disc;
 
     BodyShapes(DataStorage data) {
         this.data = data;
@@ -93,7 +97,7 @@ final class BodyShapes {
         double sweep = 0;
         int slot = body;
         for (int part = 0; part < shape.parts(); part++) {
-            Outline outline = shape.outline(part);
+            Outline outline = shape instanceof Circle circle ? of(circle) : shape.outline(part);
             bodies.outline[slot] = outline;
             bodies.shape[slot] = part == 0 ? shape : alone(shape, part);
             sweep = Math.max(sweep, outline.sweepRadius());
@@ -106,6 +110,13 @@ final class BodyShapes {
         if (bodies.sweepRadius != null) {
             bodies.sweepRadius[body] = sweep;
         }
+    }
+
+    private Outline of(Circle circle) {
+        if (disc == null || disc.radius() != circle.radius()) {
+            disc = circle.outline();
+        }
+        return disc;
     }
 
     /** Whether a part of a shape is a sensor by itself. */
@@ -142,7 +153,8 @@ final class BodyShapes {
 
     /** A part's surface material, with the density and drag of the body. */
     private static Material surface(Material stated, Material body) {
-        return stated.density(body.density()).drag(body.drag());
+        // Most bodies have one material, and most of these are the same object.
+        return stated == body ? body : stated.density(body.density()).drag(body.drag());
     }
 
     /** Writes the columns that depend on the materials again. */

@@ -21,9 +21,8 @@ public final class Broadphase {
     /** Whether it also finds the visitors of sensors. */
     public boolean senses;
 
-    private final FixtureTree tree = new FixtureTree();
-    private final FixtureSearch search = new FixtureSearch(tree);
     private final SizeFixtures fixtures;
+    private final FixtureStore store;
 
     /** The slots marked in {@link Bodies#refitted}. */
     private final Found moved = new Found();
@@ -35,6 +34,7 @@ public final class Broadphase {
         pairs = data.pairs;
         roster = data.roster;
         fixtures = new SizeFixtures(bodies);
+        store = new FixtureStore(bodies);
     }
 
     /** Writes the first fixtures of a new body, one per shape. */
@@ -42,7 +42,7 @@ public final class Broadphase {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
             fixtures.sweep(body, slot, 0, 0);
             fixtures.write(body, slot, 0);
-            hang(slot);
+            store.add(slot);
             noteRefit(slot);
         }
     }
@@ -55,7 +55,7 @@ public final class Broadphase {
         for (int slot = 0; slot < bodies.slots.high; slot++) {
             if (bodies.type[slot] != null) {
                 if (!bodies.isDisabled(bodies.bodyOf(slot))) {
-                    hang(slot);
+                    store.add(slot);
                 }
                 // A body that was disabled meanwhile is skipped and unmarked when its turn comes.
                 if (bodies.refitted[slot]) {
@@ -65,21 +65,11 @@ public final class Broadphase {
         }
     }
 
-    private void hang(int slot) {
-        bodies.leaf[slot] =
-                tree.insert(
-                        slot,
-                        bodies.fixtureMinX[slot],
-                        bodies.fixtureMinY[slot],
-                        bodies.fixtureMaxX[slot],
-                        bodies.fixtureMaxY[slot]);
-    }
-
     /** Removes a body and its pairs. */
     public void remove(int body) {
         forgetPairs(body);
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
-            tree.remove(bodies.leaf[slot]);
+            store.remove(slot);
         }
     }
 
@@ -165,12 +155,7 @@ public final class Broadphase {
             fixtures.sweepBeside(body, slot, x, y, cos, sin, reach);
             if (!fixtures.isCovered(slot)) {
                 fixtures.write(body, slot, 0);
-                tree.grow(
-                        bodies.leaf[slot],
-                        bodies.fixtureMinX[slot],
-                        bodies.fixtureMinY[slot],
-                        bodies.fixtureMaxX[slot],
-                        bodies.fixtureMaxY[slot]);
+                store.move(body, slot);
                 meetNeighbours(body, slot);
             }
         }
@@ -186,6 +171,15 @@ public final class Broadphase {
             if (hasMoved(body)) {
                 coverPose(body);
             }
+            if (!bodies.isMoved(body)) {
+                settle(body);
+            }
+        }
+    }
+
+    private void settle(int body) {
+        for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            store.settle(slot);
         }
     }
 
@@ -195,7 +189,7 @@ public final class Broadphase {
     public void meetVisitors() {
         for (int i = 0; i < moved.count; i++) {
             int slot = moved.numbers[i];
-            Found found = query(slot);
+            Found found = store.meet(slot);
             for (int k = 0; k < found.count; k++) {
                 int other = found.numbers[k];
                 if (bodies.sensor[slot] || bodies.sensor[other]) {
@@ -207,6 +201,11 @@ public final class Broadphase {
 
     private void coverPose(int body) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
+            // Mostly the fixture holds even the bounding circle, which is quicker to tell.
+            fixtures.sweepAround(body, 0);
+            if (fixtures.isCovered(slot)) {
+                continue;
+            }
             fixtures.sweep(body, slot, 0, 0);
             if (!fixtures.isCovered(slot)) {
                 lay(body, slot, 0);
@@ -232,13 +231,13 @@ public final class Broadphase {
         }
     }
 
-    /** Searches the fixtures by box and by ray, on the thread that steps. */
+    /** Searches the fixtures by box and by ray, on the thread that steps, until its next step. */
     public FixtureSearch search() {
-        return search;
+        return store.search();
     }
 
-    FixtureTree tree() {
-        return tree;
+    FixtureStore store() {
+        return store;
     }
 
     private void cover(int body, double dt, double turned, boolean isToFit) {
@@ -258,17 +257,8 @@ public final class Broadphase {
 
     private void lay(int body, int slot, double dt) {
         fixtures.write(body, slot, dt);
-        hangAnew(slot);
+        store.move(body, slot);
         noteRefit(slot);
-    }
-
-    private void hangAnew(int slot) {
-        tree.move(
-                bodies.leaf[slot],
-                bodies.fixtureMinX[slot],
-                bodies.fixtureMinY[slot],
-                bodies.fixtureMaxX[slot],
-                bodies.fixtureMaxY[slot]);
     }
 
     private void noteRefit(int slot) {
@@ -294,19 +284,10 @@ public final class Broadphase {
     }
 
     private void findPairs(int slot) {
-        Found found = query(slot);
+        Found found = store.meet(slot);
         for (int i = 0; i < found.count; i++) {
             pair(slot, found.numbers[i]);
         }
-    }
-
-    /** Finds all shapes that overlap the fixture of a shape. */
-    private Found query(int slot) {
-        return search.query(
-                bodies.fixtureMinX[slot],
-                bodies.fixtureMinY[slot],
-                bodies.fixtureMaxX[slot],
-                bodies.fixtureMaxY[slot]);
     }
 
     private void pair(int slot, int other) {

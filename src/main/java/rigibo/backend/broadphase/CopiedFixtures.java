@@ -7,7 +7,7 @@ public final class CopiedFixtures {
 
     /** Copies the present fixtures; nobody may search meanwhile. */
     public void copy(Broadphase from) {
-        tree.copy(from.tree());
+        tree.copy(from.store().searchedTree());
     }
 
     /** A search of one thread's own, valid until the next copy. */

@@ -31,8 +31,15 @@ public final class FixtureSearch {
 
     Found query(double minX, double minY, double maxX, double maxY) {
         found.clear();
+        collect(minX, minY, maxX, maxY, found);
+        found.sort();
+        return found;
+    }
+
+    /** Appends what shares a point with a box, in no order. */
+    void collect(double minX, double minY, double maxX, double maxY, Found into) {
         double[] box = tree.boxes();
-        int depth = push(0, tree.root());
+        int depth = push(0, tree.top());
         while (depth > 0) {
             int node = stack[--depth];
             int at = 4 * node;
@@ -40,13 +47,11 @@ public final class FixtureSearch {
                 continue;
             }
             if (tree.isLeaf(node)) {
-                found.add(tree.carried(node));
+                into.add(tree.carried(node));
             } else {
                 depth = push(push(depth, tree.second(node)), tree.first(node));
             }
         }
-        found.sort();
-        return found;
     }
 
     private int push(int depth, int node) {

@@ -26,6 +26,12 @@ final class FixtureTree {
 
     private final Slots slots = new Slots();
     private int root = NONE;
+
+    /** See {@link #searchAlso}. These nodes lie above all slots that were ever assigned. */
+    private int top = NONE;
+
+    private int nextSearched;
+
     private int[] parent = new int[FIRST_CAPACITY];
 
     /**
@@ -45,8 +51,7 @@ final class FixtureTree {
     /** Adds a box with a number; returns its leaf. */
     int insert(int carried, double minX, double minY, double maxX, double maxY) {
         int leaf = take();
-        child[2 * leaf] = NONE;
-        child[2 * leaf + 1] = carried;
+        setLeaf(leaf, carried);
         setBox(leaf, minX, minY, maxX, maxY);
         attach(leaf, root);
         return leaf;
@@ -64,6 +69,7 @@ final class FixtureTree {
      * branch that holds its new box.
      */
     void move(int leaf, double minX, double minY, double maxX, double maxY) {
+        top = NONE;
         setBox(leaf, minX, minY, maxX, maxY);
         int above = parent[leaf];
         int top = above == NONE ? NONE : parent[above];
@@ -75,30 +81,16 @@ final class FixtureTree {
         }
     }
 
-    /** Enlarges the box of a leaf, which keeps its place. */
-    void grow(int leaf, double minX, double minY, double maxX, double maxY) {
-        setBox(leaf, minX, minY, maxX, maxY);
-        for (int node = parent[leaf]; node != NONE && !holds(node, leaf); node = parent[node]) {
-            int at = 4 * node;
-            setBox(
-                    node,
-                    Math.min(box[at], minX),
-                    Math.min(box[at + 1], minY),
-                    Math.max(box[at + 2], maxX),
-                    Math.max(box[at + 3], maxY));
-        }
-    }
-
     /**
      * Becomes a copy of another tree that can be searched, but not changed: it lacks the parents.
      */
     void copy(FixtureTree from) {
-        int nodes = from.slots.high;
+        int nodes = from.top == NONE ? from.slots.high : from.nextSearched;
         if (2 * nodes > child.length) {
             child = new int[from.child.length];
             box = new double[from.box.length];
         }
-        root = from.root;
+        root = from.top();
         System.arraycopy(from.child, 0, child, 0, 2 * nodes);
         System.arraycopy(from.box, 0, box, 0, 4 * nodes);
     }
@@ -106,6 +98,45 @@ final class FixtureTree {
     /** The root node, or {@link #NONE}. */
     int root() {
         return root;
+    }
+
+    /** Where a search begins: the root, or {@link #NONE}, or what else is to be searched too. */
+    int top() {
+        return top == NONE ? root : top;
+    }
+
+    /** Makes room for nodes that are searched until the tree changes, and forgets former ones. */
+    void makeRoomForSearched(int nodes) {
+        forgetSearched();
+        nextSearched = slots.high;
+        makeRoom(slots.high + nodes);
+    }
+
+    /** Adds such a leaf with a number and its box, the four values from a place on; returns it. */
+    int addSearchedLeaf(int carried, double[] boxes, int at) {
+        int leaf = nextSearched++;
+        setLeaf(leaf, carried);
+        System.arraycopy(boxes, at, box, 4 * leaf, 4);
+        return leaf;
+    }
+
+    /** Adds a branch over two of them; returns it. */
+    int addSearchedBranch(int one, int two) {
+        int branch = nextSearched++;
+        child[2 * branch] = one;
+        child[2 * branch + 1] = two;
+        merge(branch);
+        return branch;
+    }
+
+    /** Lets searches go through such a node besides the tree, until the tree changes. */
+    void searchAlso(int node) {
+        top = root == NONE ? node : addSearchedBranch(root, node);
+    }
+
+    /** Lets searches go through the tree alone. */
+    void forgetSearched() {
+        top = NONE;
     }
 
     boolean isLeaf(int node) {
@@ -133,13 +164,22 @@ final class FixtureTree {
 
     private int take() {
         int node = slots.take();
-        if (node == parent.length) {
-            int capacity = 2 * node;
+        makeRoom(node + 1);
+        return node;
+    }
+
+    private void makeRoom(int nodes) {
+        if (nodes > parent.length) {
+            int capacity = Math.max(nodes, parent.length / 2 * 3);
             parent = Arrays.copyOf(parent, capacity);
             child = Arrays.copyOf(child, 2 * capacity);
             box = Arrays.copyOf(box, 4 * capacity);
         }
-        return node;
+    }
+
+    private void setLeaf(int leaf, int carried) {
+        child[2 * leaf] = NONE;
+        child[2 * leaf + 1] = carried;
     }
 
     /** The lowest branch, from one upwards, whose box holds that of a leaf; else the root. */
@@ -161,6 +201,7 @@ final class FixtureTree {
     }
 
     private void attach(int leaf, int under) {
+        top = NONE;
         if (root == NONE) {
             root = leaf;
             parent[leaf] = NONE;
@@ -180,6 +221,7 @@ final class FixtureTree {
     }
 
     private void detach(int leaf) {
+        top = NONE;
         if (leaf == root) {
             root = NONE;
             return;

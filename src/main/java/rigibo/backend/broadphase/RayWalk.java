@@ -96,8 +96,8 @@ public final class RayWalk {
         maxY = Math.max(fromY, toY);
         depth = 0;
         nodes = 0;
-        if (tree.root() != FixtureTree.NONE) {
-            push(tree.root(), entry(tree.root()));
+        if (tree.top() != FixtureTree.NONE) {
+            push(tree.top(), entry(tree.top()));
         }
     }
 

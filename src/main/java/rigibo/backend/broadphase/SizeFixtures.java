@@ -139,10 +139,11 @@ final class SizeFixtures {
 
     /** Whether the fixture of a shape holds the swept box. */
     boolean isCovered(int slot) {
-        return swept.minX >= bodies.fixtureMinX[slot]
-                && swept.minY >= bodies.fixtureMinY[slot]
-                && swept.maxX <= bodies.fixtureMaxX[slot]
-                && swept.maxY <= bodies.fixtureMaxY[slot];
+        return Signs.none(
+                swept.minX - bodies.fixtureMinX[slot],
+                swept.minY - bodies.fixtureMinY[slot],
+                bodies.fixtureMaxX[slot] - swept.maxX,
+                bodies.fixtureMaxY[slot] - swept.maxY);
     }
 
     /**

@@ -25,6 +25,17 @@ public final class Found {
         Arrays.sort(numbers, 0, count);
     }
 
+    /** Drops all numbers of a sorted list that equal the one before. */
+    public void dropRepeated() {
+        int kept = Math.min(1, count);
+        for (int i = 1; i < count; i++) {
+            if (numbers[i] != numbers[kept - 1]) {
+                numbers[kept++] = numbers[i];
+            }
+        }
+        count = kept;
+    }
+
     /** Appends a number. */
     public void add(int number) {
         if (count == numbers.length) {

@@ -4,14 +4,20 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * The capacity of the columns of a table. It doubles, but not in one step: once three quarters of
- * the slots are in use, one column after another is copied into an array twice as long, in
- * proportion to the slots assigned, so that the last column is copied with the last slot. Copying
- * all of them at once would cost a single step megabytes with ten thousand pairs.
+ * The capacity of the columns of a table. It grows by half, but not in one step: once three
+ * quarters of the slots are in use, one column after another is copied into a longer array, in
+ * proportion to the slots assigned, so that the last one is copied with the last slot. Copying all
+ * of them at once would cost a single step megabytes with ten thousand pairs.
+ *
+ * <p>The columns at the end of the table are copied first. Scratch is made as long as the columns
+ * at its beginning, and so grows no sooner than it must.
  */
 final class Room implements ColumnVisitor {
 
-    /** Capacity up to which all columns are copied at once; together they take a few hundred kB. */
+    /**
+     * Capacity up to which all columns are copied at once, into arrays twice as long; together they
+     * take a few hundred kB.
+     */
     private static final int FEW = 1024;
 
     private final Consumer<ColumnVisitor> table;
@@ -25,11 +31,13 @@ final class Room implements ColumnVisitor {
     private int next;
 
     /**
-     * While the table is visited: bits per slot of the columns so far, and bits at which to stop.
+     * While the table is visited: bits per slot of the columns so far, of those at its beginning
+     * that stay as they are, and of those that are as long as they should be.
      */
     private long passed;
 
-    private long due;
+    private long staying;
+    private long lengthened;
 
     /** The capacity of a table whose columns have room for a number of slots. */
     Room(int slots, Consumer<ColumnVisitor> table) {
@@ -48,9 +56,13 @@ final class Room implements ColumnVisitor {
         return slots;
     }
 
-    /** Number of slots for which the first columns have room: the same, or twice as many. */
+    /** Number of slots for which the last columns have room: the same, or more. */
     int slotsAhead() {
-        return next > first ? 2 * slots : slots;
+        return next > first ? more() : slots;
+    }
+
+    private int more() {
+        return slots < FEW ? 2 * slots : slots + slots / 2;
     }
 
     /** Makes room for a slot, which must be the lowest that was never assigned. */
@@ -66,8 +78,8 @@ final class Room implements ColumnVisitor {
      */
     void reserve(int count) {
         while (slots < count) {
-            lengthen(Long.MAX_VALUE);
-            begin(2 * slots);
+            lengthen(0);
+            begin(more());
         }
         if (count > first) {
             first = count;
@@ -80,34 +92,35 @@ final class Room implements ColumnVisitor {
         long steps = slots - first;
         // Rounded up, so that the column is copied before its last slot is needed.
         long wanted = slot < slots ? (all * (slot + 1 - first) + steps - 1) / steps : all;
-        long copied = lengthen(wanted);
+        long copied = lengthen(all - wanted);
         if (copied == all) {
-            begin(2 * slots);
+            begin(more());
         } else {
             next = first + (int) (copied * steps / all);
         }
     }
 
     /**
-     * Copies columns until they amount to this many bits per slot; returns the bits of the columns
-     * up to there.
+     * Copies all columns but those at the beginning of the table that amount to so many bits per
+     * slot; returns the bits per slot of the others.
      */
     private long lengthen(long bits) {
         passed = 0;
-        due = bits;
+        lengthened = 0;
+        staying = bits;
         table.accept(this);
-        return passed;
+        return lengthened;
     }
 
     /** The length that a column should have now. */
     private int length(int present, int perSlot, int bits) {
-        if (passed >= due) {
+        passed += bits;
+        if (passed <= staying) {
             return present;
         }
-        passed += bits;
-        // A column may be twice as long already, because PairOrder exchanges columns with its
-        // buffers.
-        return Math.max(present, 2 * slots * perSlot);
+        lengthened += bits;
+        // A column may be longer already, because PairOrder exchanges columns with its buffers.
+        return Math.max(present, more() * perSlot);
     }
 
     @Override

@@ -111,7 +111,7 @@ class FixtureTreeTest {
             leaf[i] = tree.insert(i, 10 * i, 0, 10 * i + 1, 1);
         }
         for (int i = 0; i < leaf.length; i++) {
-            tree.grow(leaf[i], 10 * i, -1, 10 * i + 2, 1);
+            tree.move(leaf[i], 10 * i, -1, 10 * i + 2, 1);
         }
         for (int i = 0; i < leaf.length; i++) {
             found.clear();

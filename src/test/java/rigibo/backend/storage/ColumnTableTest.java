@@ -200,13 +200,14 @@ public class ColumnTableTest {
     }
 
     /**
-     * From three quarters of 16,384 on, 4,096 pairs double columns of 27 lines: each hundred of
-     * them a fortieth, or the one column that is due, the widest of which takes a fourteenth.
+     * From three quarters of some 16,000 on, 4,000 pairs lengthen columns of 27 lines by half: each
+     * hundred of them a fortieth, or the one column that is due, the widest of which takes a
+     * fourteenth.
      */
     @Test
-    void noHundredPairsDoubleManyColumns() {
-        int before = 16384;
-        pairs.reserve(before / 2 + 1);
+    void noHundredPairsLengthenManyColumns() {
+        pairs.reserve(12000);
+        int before = pairs.room();
         Bodies two = new Bodies(ALL);
         int a = two.take();
         two.firstPair[a] = Pairs.NONE;
@@ -221,8 +222,8 @@ public class ColumnTableTest {
             }
             most = Math.max(most, bytes(ShownColumns.of(pairs)) - then);
         }
-        assertThat(pairs.room()).isEqualTo(2 * before);
-        assertThat(bytes(ShownColumns.of(pairs))).isEqualTo(2 * all);
+        assertThat(pairs.room()).isEqualTo(before / 2 * 3);
+        assertThat(bytes(ShownColumns.of(pairs))).isEqualTo(all / 2 * 3);
         assertThat(most).isBetween(1L, all / 8);
     }
 
