@@ -39,7 +39,12 @@ class DirectSolverTest {
     private final DirectSolver direct = new DirectSolver(motions, contacts, overlap, 16);
     private final ContactSweep sweep =
             new ContactSweep(
-                    motions, contacts, new NoRubbing(), true, new SharedRows(null, contacts));
+                    new Bodies(Effects.of(new Contacts())),
+                    motions,
+                    contacts,
+                    new NoRubbing(),
+                    true,
+                    new SharedRows(null, contacts));
 
     private double of(int row, int column) {
         return contacts.data[row * PackedContacts.STRIDE + column];
