@@ -323,6 +323,14 @@ public final class Narrowphase {
         return isDynamic == bodies.isDynamic(other) ? slot < other : isDynamic;
     }
 
+    /**
+     * The gap in m that a pair could close in dt seconds if it is held on one side, by an upper
+     * bound on its speeds.
+     */
+    public double reachIfHeld(int pair, double dt) {
+        return reach(pair, dt) + wayIfHeld(pair, dt);
+    }
+
     /** The gap in m that a pair could close in dt seconds, by an upper bound on its speeds. */
     public double reach(int pair, double dt) {
         return bodies.turns() ? turningReach(pair, dt) : reach(pair, dt, 0, 0);

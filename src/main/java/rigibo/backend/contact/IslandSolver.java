@@ -168,7 +168,8 @@ final class IslandSolver {
                 new DeclaredRows(data, effects, motions, contacts, kick, fresh, straight, shared);
         boolean isBlock = accuracy.contactSolver() != ContactSolver.SEQUENTIAL;
         ContactSweep sweep =
-                new ContactSweep(motions, contacts, declared.rubbing(), isBlock, shared);
+                new ContactSweep(
+                        data.bodies, motions, contacts, declared.rubbing(), isBlock, shared);
         rounds = new Rounds(motions, contacts, own, declared, guard, sweep, overlap, accuracy);
         passes = new Passes(motions, contacts, declared, kick, guard, sweep, overlap, accuracy);
     }

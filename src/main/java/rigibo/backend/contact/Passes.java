@@ -66,6 +66,15 @@ public final class Passes {
      */
     private static final double SUNK = 2;
 
+    /**
+     * Share of {@code missed} from which on sinking in is stopped by impulses that are handed down
+     * to the ground, once something sinks in by more than {@code missed}.
+     */
+    private static final double HANDED_DOWN = 0.1;
+
+    /** Divisor of the passes that follow. */
+    private static final int AFTER_HANDING_DOWN = 4;
+
     /** Most repetitions of the passes for contacts that sink in. */
     private static final int LONGER = 7;
 
@@ -277,6 +286,10 @@ public final class Passes {
         double error = MISSED_IN_A_CROWD * missed;
         double least = isCalm ? quiet : OF_THE_FASTEST * quiet;
         sweep.run(h, length, substep, error, quiet, least, passes);
+        if (sweep.isSinking(h, substep, missed)) {
+            sweep.handDown(HANDED_DOWN * missed);
+            sweep.goOn(passes / AFTER_HANDING_DOWN);
+        }
         int affordable = Math.min(longer, MOST_SOLVES / (passes * contacts.count));
         for (int i = 0; i < affordable && sweep.isSinking(h, substep, SUNK * error); i++) {
             sweep.goOn(passes);

@@ -351,11 +351,14 @@ public final class Flight {
         }
     }
 
-    /** Measures a pair of two piled bodies at their poses at a time, for the solver of piles. */
+    /**
+     * Measures a pair of two piled bodies at their poses at a time, for the solver of piles. A rod
+     * that hovered over others with one end may be pressed down at the other one within the step.
+     */
     private void remeasure(int pair, double time, double dt) {
         paths.poseAt(pairs.bodyA[pair], time, poseA);
         paths.poseAt(pairs.bodyB[pair], time, poseB);
-        double reach = narrowphase.reach(pair, dt - time);
+        double reach = narrowphase.reachIfHeld(pair, dt - time);
         narrowphase.measureContact(pair, poseA, poseB, reach);
     }
 }

@@ -46,7 +46,7 @@ public final class Repose {
         this.builder = builder;
         substeps = accuracy.substeps();
         equilibrium = new Equilibrium(data, accuracy);
-        loads = new LoadsFromAbove(data.bodies, motions, contacts);
+        loads = new LoadsFromAbove(data.bodies, motions, contacts, accuracy);
         stillness = new Stillness(data.bodies, motions, contacts, own, overlap, kick);
         before = new Halfway(motions, contacts);
     }

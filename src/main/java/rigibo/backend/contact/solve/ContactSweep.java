@@ -9,6 +9,7 @@ import static rigibo.backend.contact.row.Motions.VY;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.SharedRows;
+import rigibo.backend.storage.Bodies;
 import rigibo.backend.team.Team;
 
 import java.util.Arrays;
@@ -58,6 +59,7 @@ public final class ContactSweep {
     private final Motions motions;
     private final PackedContacts contacts;
     private final Rubbing rubbing;
+    private final ShockPropagation shock;
     private final boolean isBlock;
 
     /** By entry of the motions: sum of its changes of speed so far in this sweep, m/s. */
@@ -105,6 +107,7 @@ public final class ContactSweep {
     private final int[] solvedBy;
 
     public ContactSweep(
+            Bodies bodies,
             Motions motions,
             PackedContacts contacts,
             Rubbing rubbing,
@@ -113,6 +116,7 @@ public final class ContactSweep {
         this.motions = motions;
         this.contacts = contacts;
         this.rubbing = rubbing;
+        shock = new ShockPropagation(bodies, motions, contacts);
         this.isBlock = isBlock;
         this.shared = shared;
         solvedBy = new int[APART * shared.workers()];
@@ -153,6 +157,14 @@ public final class ContactSweep {
             seen[row] = contacts.isNew[row] ? seen[row] : Math.max(seen[row], 0);
         }
         goOn(most);
+    }
+
+    /**
+     * Hands impulses down to the ground where bodies would sink in by more than a number of widths
+     * in the substep ({@link ShockPropagation}).
+     */
+    public void handDown(double most) {
+        shock.handDown(substep, spare, changed, most / h);
     }
 
     /** Makes at most a number of further passes, until no contact is due. */

@@ -9,6 +9,9 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedIsland;
 import rigibo.backend.contact.row.SharedRows;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.storage.Bodies;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
@@ -26,7 +29,12 @@ class ContactSweepTest {
     private final PackedContacts contacts = island.contacts;
     private final ContactSweep sweep =
             new ContactSweep(
-                    motions, contacts, new NoRubbing(), true, new SharedRows(null, contacts));
+                    new Bodies(Effects.of(new Contacts())),
+                    motions,
+                    contacts,
+                    new NoRubbing(),
+                    true,
+                    new SharedRows(null, contacts));
 
     /** w ≥ 0, j ≥ 0, w·j = 0 for both points, in each of the four cases. */
     @Test

@@ -12,6 +12,9 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedIsland;
 import rigibo.backend.contact.row.SharedRows;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.storage.Bodies;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
@@ -28,7 +31,12 @@ class SweptContactTest {
     private final DenseRows dense = new DenseRows(island);
     private final ContactSweep sweep =
             new ContactSweep(
-                    motions, contacts, new NoRubbing(), true, new SharedRows(null, contacts));
+                    new Bodies(Effects.of(new Contacts())),
+                    motions,
+                    contacts,
+                    new NoRubbing(),
+                    true,
+                    new SharedRows(null, contacts));
 
     private double of(int row, int column) {
         return contacts.data[row * PackedContacts.STRIDE + column];
@@ -117,7 +125,12 @@ class SweptContactTest {
         SplittableRandom random = new SplittableRandom(3);
         ContactSweep inTurn =
                 new ContactSweep(
-                        motions, contacts, new NoRubbing(), false, new SharedRows(null, contacts));
+                        new Bodies(Effects.of(new Contacts())),
+                        motions,
+                        contacts,
+                        new NoRubbing(),
+                        false,
+                        new SharedRows(null, contacts));
         for (int i = 0; i < 1_000; i++) {
             island.bodies(random, 2);
             int row = contact(random, 1, 2);
