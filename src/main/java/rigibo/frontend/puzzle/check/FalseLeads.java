@@ -15,9 +15,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Finds what looks right and loses the ball. First clicks do that other games win by, made too
- * early, and those that bring a ball nearer to the platform on its way out of the world. So does a
- * solution that lacks one click: each of its clicks is right, the ball comes, and is lost.
+ * Finds what looks right and loses. First clicks do that other games win by, made too early, and
+ * those that bring a ball nearer to the platform. So does a solution that lacks one click: each of
+ * its clicks is right, the ball comes, and does not arrive.
  */
 final class FalseLeads {
 
@@ -28,10 +28,20 @@ final class FalseLeads {
 
     private final Level level;
     private final Games games;
+    private final Losses losses;
 
-    FalseLeads(Level level, Games games) {
+    /** What counts as lost. */
+    enum Losses {
+        /** A ball that rolls off the platform or leaves the world. */
+        OF_THE_BALL,
+        /** Also a ball at rest where no further click wins; each takes a search to tell. */
+        AND_DEAD_ENDS
+    }
+
+    FalseLeads(Level level, Games games, Losses losses) {
         this.level = level;
         this.games = games;
+        this.losses = losses;
     }
 
     /**
@@ -69,13 +79,23 @@ final class FalseLeads {
             nearest = Math.min(nearest, distance(trial.game()));
         }
         games.count(trial.game().steps());
-        return isBallLost(trial.game()) && (areOfWinning || nearest < begin - PROGRESS);
+        boolean looksRight = areOfWinning || nearest < begin - PROGRESS;
+        return looksRight && (isBallLost(trial.game()) || isDeadEnd(trial.game(), clicks));
     }
 
     private static boolean isBallLost(PuzzleGame game) {
         return game.loss()
                 .filter(loss -> loss == Loss.ROLLED_OFF || loss == Loss.LEFT_THE_WORLD)
                 .isPresent();
+    }
+
+    private boolean isDeadEnd(PuzzleGame game, List<Act> clicks) {
+        if (losses == Losses.OF_THE_BALL || !game.isStuck()) {
+            return false;
+        }
+        boolean isAllClicked = game.loss().isPresent();
+        return isAllClicked
+                || !new OrderSearch(level, Accuracy.GAME, games).winsAfter(clicks, game.steps());
     }
 
     /** Distance of the nearest ball from the platform's middle, m. */

@@ -115,7 +115,7 @@ final class LevelCheck {
     }
 
     private void misleading(OrderSearch.Found found) {
-        FalseLeads leads = new FalseLeads(level, games);
+        FalseLeads leads = new FalseLeads(level, games, FalseLeads.Losses.AND_DEAD_ENDS);
         List<String> first = leads.first(found.winning());
         List<String> forgotten =
                 level.solutions().stream()

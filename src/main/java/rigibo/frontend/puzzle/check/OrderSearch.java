@@ -64,8 +64,7 @@ final class OrderSearch {
         boolean isWhole = true;
         int fewer = 0;
         for (int clicks = 1; ; clicks++) {
-            List<List<Act>> all = new ArrayList<>();
-            round.forEach(course -> all.addAll(nexts(course)));
+            List<List<Act>> all = nexts(round);
             boolean wasWhole = isWhole;
             isWhole &= all.size() <= MOST_GAMES;
             round = played(sample(all));
@@ -81,6 +80,24 @@ final class OrderSearch {
                 return new Found(wins, wins, targets(won), Optional.of(first));
             }
         }
+    }
+
+    /**
+     * Whether some game wins with up to par clicks more than those made.
+     *
+     * @param rest step at which everything is at rest after them
+     */
+    boolean winsAfter(List<Act> made, int rest) {
+        int ready = made.get(made.size() - 1).step() + cooldown;
+        List<List<Act>> all = nexts(made, IntStream.of(Math.max(ready, rest)));
+        for (int more = 0; more < level.limits().par(); more++) {
+            List<Course> round = played(sample(all));
+            if (round.stream().anyMatch(course -> course.verdict.isWon())) {
+                return true;
+            }
+            all = nexts(round);
+        }
+        return false;
     }
 
     private static Set<String> targets(List<Course> courses) {
@@ -110,18 +127,23 @@ final class OrderSearch {
         return all.subList(0, Math.min(all.size(), MOST_GAMES));
     }
 
-    /** The clicks of a course, and one more. */
-    private List<List<Act>> nexts(Course course) {
-        Set<String> clicked = course.clicks.stream().map(Act::target).collect(Collectors.toSet());
+    /** The clicks of each course, and one more. */
+    private List<List<Act>> nexts(List<Course> round) {
+        List<List<Act>> all = new ArrayList<>();
+        round.forEach(course -> all.addAll(nexts(course.clicks, moments(course))));
+        return all;
+    }
+
+    private List<List<Act>> nexts(List<Act> made, IntStream moments) {
+        Set<String> clicked = made.stream().map(Act::target).collect(Collectors.toSet());
         List<String> left =
                 level.clickables().stream()
                         .filter(one -> one.verb().repeats() || !clicked.contains(one.id()))
                         .map(Clickable::id)
                         .toList();
-        return moments(course)
-                .boxed()
-                .flatMap(at -> left.stream().map(id -> with(course.clicks, new Act(at, id))))
-                .toList();
+        return moments.boxed()
+                .flatMap(at -> left.stream().map(id -> with(made, new Act(at, id))))
+                .collect(Collectors.toCollection(ArrayList::new));
     }
 
     private static List<Act> with(List<Act> clicks, Act next) {
