@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Ball;
 import rigibo.frontend.puzzle.level.Clickable;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
@@ -12,12 +13,15 @@ import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.rules.Replay;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * Finds what looks right and loses. First clicks do that other games win by, made too early, and
- * those that bring a ball nearer to the platform. So does a solution that lacks one click: each of
- * its clicks is right, the ball comes, and does not arrive.
+ * those that bring a ball nearer to the platform. So do those after which every ball lies where it
+ * lay, but nothing wins any more, which nobody sees; a solution that lacks one click, of which each
+ * is right; and as many clicks as par that bring a ball nearer and do not win.
  */
 final class FalseLeads {
 
@@ -25,6 +29,9 @@ final class FalseLeads {
 
     /** How much nearer a ball must come for a player to take it for progress, m. */
     private static final double PROGRESS = 0.5;
+
+    /** Distance by which a ball may move and still lie where it lay, m: half of its radius. */
+    private static final double UNMOVED = 0.15;
 
     private final Level level;
     private final Games games;
@@ -66,6 +73,11 @@ final class FalseLeads {
                 .toList();
     }
 
+    /** Finds clicks that bring a ball nearer and lose, among those of some lost games. */
+    Optional<List<Act>> order(List<List<Act>> lost) {
+        return games.each(lost).filter(clicks -> misleads(clicks, false)).findFirst();
+    }
+
     private static List<Act> without(List<Act> clicks, Act left) {
         return clicks.stream().filter(click -> click != left).toList();
     }
@@ -80,7 +92,18 @@ final class FalseLeads {
         }
         games.count(trial.game().steps());
         boolean looksRight = areOfWinning || nearest < begin - PROGRESS;
-        return looksRight && (isBallLost(trial.game()) || isDeadEnd(trial.game(), clicks));
+        return looksRight && isBallLost(trial.game())
+                || (looksRight || areUnmoved(trial.game())) && isDeadEnd(trial.game(), clicks);
+    }
+
+    private boolean areUnmoved(PuzzleGame game) {
+        List<Ball> balls = level.balls();
+        return IntStream.range(0, balls.size())
+                .allMatch(i -> moved(game.balls().get(i), balls.get(i)) < UNMOVED);
+    }
+
+    private static double moved(RigidBody body, Ball ball) {
+        return Math.hypot(body.x() - ball.x(), body.y() - ball.y());
     }
 
     private static boolean isBallLost(PuzzleGame game) {

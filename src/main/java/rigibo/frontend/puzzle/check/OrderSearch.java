@@ -52,9 +52,15 @@ final class OrderSearch {
      * @param wins how many games of par clicks are won
      * @param fewer how many of those with fewer clicks; the search ends with the first
      * @param winning what is clicked in the games won
+     * @param lost the clicks of games of par clicks that are not won
      * @param shorter clicks that win with less than par, if there are any
      */
-    record Found(Share wins, Share fewer, Set<String> winning, Optional<List<Act>> shorter) {}
+    record Found(
+            Share wins,
+            Share fewer,
+            Set<String> winning,
+            List<List<Act>> lost,
+            Optional<List<Act>> shorter) {}
 
     /** Some clicks and how they ended. */
     private record Course(List<Act> clicks, Verdict verdict) {}
@@ -72,12 +78,12 @@ final class OrderSearch {
             Share wins = new Share(won.size(), round.size(), isWhole);
             if (clicks == level.limits().par()) {
                 Share none = new Share(0, fewer, wasWhole);
-                return new Found(wins, none, targets(won), Optional.empty());
+                return new Found(wins, none, targets(won), lost(round), Optional.empty());
             }
             fewer += round.size();
             if (!won.isEmpty()) {
                 List<Act> first = won.get(0).clicks;
-                return new Found(wins, wins, targets(won), Optional.of(first));
+                return new Found(wins, wins, targets(won), List.of(), Optional.of(first));
             }
         }
     }
@@ -98,6 +104,13 @@ final class OrderSearch {
             all = nexts(round);
         }
         return false;
+    }
+
+    private static List<List<Act>> lost(List<Course> round) {
+        return round.stream()
+                .filter(course -> !course.verdict.isWon())
+                .map(Course::clicks)
+                .toList();
     }
 
     private static Set<String> targets(List<Course> courses) {
