@@ -9,6 +9,7 @@ import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Loss;
+import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.rules.Replay;
 
@@ -41,7 +42,9 @@ final class FalseLeads {
     enum Losses {
         /** A ball that rolls off the platform or leaves the world. */
         OF_THE_BALL,
-        /** Also a ball at rest where no further click wins; each takes a search to tell. */
+        /**
+         * Also a game that goes on, but that no further click wins; each takes a search to tell.
+         */
         AND_DEAD_ENDS
     }
 
@@ -93,7 +96,7 @@ final class FalseLeads {
         games.count(trial.game().steps());
         boolean looksRight = areOfWinning || nearest < begin - PROGRESS;
         return looksRight && isBallLost(trial.game())
-                || (looksRight || areUnmoved(trial.game())) && isDeadEnd(trial.game(), clicks);
+                || (looksRight || areUnmoved(trial.game())) && isDeadEnd(trial, clicks);
     }
 
     private boolean areUnmoved(PuzzleGame game) {
@@ -112,13 +115,13 @@ final class FalseLeads {
                 .isPresent();
     }
 
-    private boolean isDeadEnd(PuzzleGame game, List<Act> clicks) {
-        if (losses == Losses.OF_THE_BALL || !game.isStuck()) {
+    private boolean isDeadEnd(Trial trial, List<Act> clicks) {
+        if (losses == Losses.OF_THE_BALL || !trial.isUnsolved()) {
             return false;
         }
-        boolean isAllClicked = game.loss().isPresent();
-        return isAllClicked
-                || !new OrderSearch(level, Accuracy.GAME, games).winsAfter(clicks, game.steps());
+        boolean isAllClicked = trial.game().outcome() == Outcome.LOST;
+        OrderSearch search = new OrderSearch(level, Accuracy.GAME, games);
+        return isAllClicked || !search.winsAfter(clicks, trial.game().steps());
     }
 
     /** Distance of the nearest ball from the platform's middle, m. */

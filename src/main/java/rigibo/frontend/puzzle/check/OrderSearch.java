@@ -91,11 +91,11 @@ final class OrderSearch {
     /**
      * Whether some game wins with up to par clicks more than those made.
      *
-     * @param rest step at which everything is at rest after them
+     * @param until step until which a player looks on after them
      */
-    boolean winsAfter(List<Act> made, int rest) {
+    boolean winsAfter(List<Act> made, int until) {
         int ready = made.get(made.size() - 1).step() + cooldown;
-        List<List<Act>> all = nexts(made, IntStream.of(Math.max(ready, rest)));
+        List<List<Act>> all = nexts(made, IntStream.of(Math.max(ready, until)));
         for (int more = 0; more < level.limits().par(); more++) {
             List<Course> round = played(sample(all));
             if (round.stream().anyMatch(course -> course.verdict.isWon())) {
