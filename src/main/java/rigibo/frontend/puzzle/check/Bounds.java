@@ -36,9 +36,9 @@ final class Bounds {
      *
      * @param place of the level in its world, from 1; none for one that is not of the game
      * @param wins how many games of par clicks win
-     * @param leads how many clicks mislead
+     * @param misleads whether something looks right and loses
      */
-    static List<String> told(OptionalInt place, Level level, Share wins, int leads) {
+    static List<String> told(OptionalInt place, Level level, Share wins, boolean misleads) {
         List<String> told = new ArrayList<>();
         int at = place.orElse(0);
         if (at < FIRST_PUZZLE) {
@@ -55,7 +55,7 @@ final class Bounds {
                             "out of bounds: more than %.0f %% of orders and times win",
                             PERCENT * most));
         }
-        if (leads == 0) {
+        if (!misleads) {
             told.add("out of bounds: nothing misleads");
         }
         return told;

@@ -2,22 +2,27 @@ package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Ball;
 import rigibo.frontend.puzzle.level.Clickable;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Loss;
+import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.rules.Replay;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
- * Finds what looks right and loses the ball. First clicks do that other games win by, made too
- * early, and those that bring a ball nearer to the platform on its way out of the world. So does a
- * solution that lacks one click: each of its clicks is right, the ball comes, and is lost.
+ * Finds what looks right and loses. First clicks do that other games win by, made too early, and
+ * those that bring a ball nearer to the platform. So do those after which every ball lies where it
+ * lay, but nothing wins any more, which nobody sees; a solution that lacks one click, of which each
+ * is right; and as many clicks as par that bring a ball nearer and do not win.
  */
 final class FalseLeads {
 
@@ -26,12 +31,27 @@ final class FalseLeads {
     /** How much nearer a ball must come for a player to take it for progress, m. */
     private static final double PROGRESS = 0.5;
 
+    /** Distance by which a ball may move and still lie where it lay, m: half of its radius. */
+    private static final double UNMOVED = 0.15;
+
     private final Level level;
     private final Games games;
+    private final Losses losses;
 
-    FalseLeads(Level level, Games games) {
+    /** What counts as lost. */
+    enum Losses {
+        /** A ball that rolls off the platform or leaves the world. */
+        OF_THE_BALL,
+        /**
+         * Also a game that goes on, but that no further click wins; each takes a search to tell.
+         */
+        AND_DEAD_ENDS
+    }
+
+    FalseLeads(Level level, Games games, Losses losses) {
         this.level = level;
         this.games = games;
+        this.losses = losses;
     }
 
     /**
@@ -56,6 +76,11 @@ final class FalseLeads {
                 .toList();
     }
 
+    /** Finds clicks that bring a ball nearer and lose, among those of some lost games. */
+    Optional<List<Act>> order(List<List<Act>> lost) {
+        return games.each(lost).filter(clicks -> misleads(clicks, false)).findFirst();
+    }
+
     private static List<Act> without(List<Act> clicks, Act left) {
         return clicks.stream().filter(click -> click != left).toList();
     }
@@ -69,13 +94,34 @@ final class FalseLeads {
             nearest = Math.min(nearest, distance(trial.game()));
         }
         games.count(trial.game().steps());
-        return isBallLost(trial.game()) && (areOfWinning || nearest < begin - PROGRESS);
+        boolean looksRight = areOfWinning || nearest < begin - PROGRESS;
+        return looksRight && isBallLost(trial.game())
+                || (looksRight || areUnmoved(trial.game())) && isDeadEnd(trial, clicks);
+    }
+
+    private boolean areUnmoved(PuzzleGame game) {
+        List<Ball> balls = level.balls();
+        return IntStream.range(0, balls.size())
+                .allMatch(i -> moved(game.balls().get(i), balls.get(i)) < UNMOVED);
+    }
+
+    private static double moved(RigidBody body, Ball ball) {
+        return Math.hypot(body.x() - ball.x(), body.y() - ball.y());
     }
 
     private static boolean isBallLost(PuzzleGame game) {
         return game.loss()
                 .filter(loss -> loss == Loss.ROLLED_OFF || loss == Loss.LEFT_THE_WORLD)
                 .isPresent();
+    }
+
+    private boolean isDeadEnd(Trial trial, List<Act> clicks) {
+        if (losses == Losses.OF_THE_BALL || !trial.isUnsolved()) {
+            return false;
+        }
+        boolean isAllClicked = trial.game().outcome() == Outcome.LOST;
+        OrderSearch search = new OrderSearch(level, Accuracy.GAME, games);
+        return isAllClicked || !search.winsAfter(clicks, trial.game().steps());
     }
 
     /** Distance of the nearest ball from the platform's middle, m. */

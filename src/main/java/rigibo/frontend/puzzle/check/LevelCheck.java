@@ -106,7 +106,9 @@ final class LevelCheck {
         OrderSearch.Found found = new OrderSearch(level, Accuracy.GAME, games).search();
         found.shorter()
                 .ifPresentOrElse(
-                        clicks -> loaded.error("/rules/par", parIsTooLarge() + words(clicks)),
+                        clicks ->
+                                loaded.error(
+                                        "/rules/par", parIsTooLarge() + words(clicks) + " wins"),
                         () -> {
                             proved.add(fewer(found.fewer()));
                             proved.add(share(found.wins()));
@@ -115,7 +117,7 @@ final class LevelCheck {
     }
 
     private void misleading(OrderSearch.Found found) {
-        FalseLeads leads = new FalseLeads(level, games);
+        FalseLeads leads = new FalseLeads(level, games, FalseLeads.Losses.AND_DEAD_ENDS);
         List<String> first = leads.first(found.winning());
         List<String> forgotten =
                 level.solutions().stream()
@@ -124,7 +126,10 @@ final class LevelCheck {
                         .toList();
         tell("first clicks that mislead", first);
         tell("the rest misleads without", forgotten);
-        proved.addAll(Bounds.told(place, level, found.wins(), first.size() + forgotten.size()));
+        boolean isFound = !first.isEmpty() || !forgotten.isEmpty();
+        Optional<List<Act>> order = isFound ? Optional.empty() : leads.order(found.lost());
+        order.ifPresent(clicks -> proved.add("an order that misleads: " + words(clicks)));
+        proved.addAll(Bounds.told(place, level, found.wins(), isFound || order.isPresent()));
     }
 
     private void tell(String what, List<String> ids) {
@@ -137,9 +142,8 @@ final class LevelCheck {
 
     private static String words(List<Act> clicks) {
         return clicks.stream()
-                        .map(click -> "\"" + click.target() + "\" at step " + click.step())
-                        .collect(Collectors.joining(", "))
-                + " wins";
+                .map(click -> "\"" + click.target() + "\" at step " + click.step())
+                .collect(Collectors.joining(", "));
     }
 
     private static String fewer(Share fewer) {

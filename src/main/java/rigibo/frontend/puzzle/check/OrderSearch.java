@@ -52,9 +52,15 @@ final class OrderSearch {
      * @param wins how many games of par clicks are won
      * @param fewer how many of those with fewer clicks; the search ends with the first
      * @param winning what is clicked in the games won
+     * @param lost the clicks of games of par clicks that are not won
      * @param shorter clicks that win with less than par, if there are any
      */
-    record Found(Share wins, Share fewer, Set<String> winning, Optional<List<Act>> shorter) {}
+    record Found(
+            Share wins,
+            Share fewer,
+            Set<String> winning,
+            List<List<Act>> lost,
+            Optional<List<Act>> shorter) {}
 
     /** Some clicks and how they ended. */
     private record Course(List<Act> clicks, Verdict verdict) {}
@@ -64,8 +70,7 @@ final class OrderSearch {
         boolean isWhole = true;
         int fewer = 0;
         for (int clicks = 1; ; clicks++) {
-            List<List<Act>> all = new ArrayList<>();
-            round.forEach(course -> all.addAll(nexts(course)));
+            List<List<Act>> all = nexts(round);
             boolean wasWhole = isWhole;
             isWhole &= all.size() <= MOST_GAMES;
             round = played(sample(all));
@@ -73,14 +78,39 @@ final class OrderSearch {
             Share wins = new Share(won.size(), round.size(), isWhole);
             if (clicks == level.limits().par()) {
                 Share none = new Share(0, fewer, wasWhole);
-                return new Found(wins, none, targets(won), Optional.empty());
+                return new Found(wins, none, targets(won), lost(round), Optional.empty());
             }
             fewer += round.size();
             if (!won.isEmpty()) {
                 List<Act> first = won.get(0).clicks;
-                return new Found(wins, wins, targets(won), Optional.of(first));
+                return new Found(wins, wins, targets(won), List.of(), Optional.of(first));
             }
         }
+    }
+
+    /**
+     * Whether some game wins with up to par clicks more than those made.
+     *
+     * @param until step until which a player looks on after them
+     */
+    boolean winsAfter(List<Act> made, int until) {
+        int ready = made.get(made.size() - 1).step() + cooldown;
+        List<List<Act>> all = nexts(made, IntStream.of(Math.max(ready, until)));
+        for (int more = 0; more < level.limits().par(); more++) {
+            List<Course> round = played(sample(all));
+            if (round.stream().anyMatch(course -> course.verdict.isWon())) {
+                return true;
+            }
+            all = nexts(round);
+        }
+        return false;
+    }
+
+    private static List<List<Act>> lost(List<Course> round) {
+        return round.stream()
+                .filter(course -> !course.verdict.isWon())
+                .map(Course::clicks)
+                .toList();
     }
 
     private static Set<String> targets(List<Course> courses) {
@@ -110,18 +140,23 @@ final class OrderSearch {
         return all.subList(0, Math.min(all.size(), MOST_GAMES));
     }
 
-    /** The clicks of a course, and one more. */
-    private List<List<Act>> nexts(Course course) {
-        Set<String> clicked = course.clicks.stream().map(Act::target).collect(Collectors.toSet());
+    /** The clicks of each course, and one more. */
+    private List<List<Act>> nexts(List<Course> round) {
+        List<List<Act>> all = new ArrayList<>();
+        round.forEach(course -> all.addAll(nexts(course.clicks, moments(course))));
+        return all;
+    }
+
+    private List<List<Act>> nexts(List<Act> made, IntStream moments) {
+        Set<String> clicked = made.stream().map(Act::target).collect(Collectors.toSet());
         List<String> left =
                 level.clickables().stream()
                         .filter(one -> one.verb().repeats() || !clicked.contains(one.id()))
                         .map(Clickable::id)
                         .toList();
-        return moments(course)
-                .boxed()
-                .flatMap(at -> left.stream().map(id -> with(course.clicks, new Act(at, id))))
-                .toList();
+        return moments.boxed()
+                .flatMap(at -> left.stream().map(id -> with(made, new Act(at, id))))
+                .collect(Collectors.toCollection(ArrayList::new));
     }
 
     private static List<Act> with(List<Act> clicks, Act next) {

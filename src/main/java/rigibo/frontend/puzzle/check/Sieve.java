@@ -61,7 +61,7 @@ public final class Sieve {
     private Figures figures(Level level, Solution solution, OrderSearch.Found found) {
         Trial winning = new Trial(level, Replay.of(level, solution, Accuracy.GAME));
         double travel = travel(winning);
-        FalseLeads leads = new FalseLeads(level, games);
+        FalseLeads leads = leads(level);
         return new Figures(
                 solution.clicks().size(),
                 level.clickables().size(),
@@ -102,8 +102,13 @@ public final class Sieve {
     }
 
     private boolean misleads(Level level, Solution solution) {
-        FalseLeads leads = new FalseLeads(level, games);
+        FalseLeads leads = leads(level);
         return !leads.forgotten(solution).isEmpty() || !leads.first(targets(solution)).isEmpty();
+    }
+
+    /** Dead ends are left out: to count them too would give every seed another level. */
+    private FalseLeads leads(Level level) {
+        return new FalseLeads(level, games, FalseLeads.Losses.OF_THE_BALL);
     }
 
     private static Set<String> targets(Solution solution) {

@@ -54,6 +54,11 @@ final class Trial {
                 || game.steps() >= deadline;
     }
 
+    /** Whether every click was made and the game is not won. */
+    boolean isUnsolved() {
+        return playback.refusal().isEmpty() && playback.game().outcome() != Outcome.WON;
+    }
+
     private Verdict verdict() {
         PuzzleGame game = playback.game();
         Verdict.End end = end();

@@ -29,8 +29,21 @@ class FalseLeadsTest {
                             "{\"type\": \"polygon\", \"points\": [[0, 7], [8.9, 5], [8.9, 5.65],"
                                     + " [0, 7.65]]}, \"x\": 0, \"y\": 0");
 
+    /** The ball drops from its box onto stone, nearer to the platform, and stays there. */
+    private static final String ONTO_A_SHELF =
+            LevelTexts.with("\"x\": 4.5, \"y\": 2.7", "\"x\": 1, \"y\": 4.35")
+                    .replace("\"w\": 2, \"h\": 1}, \"x\": 4.5", "\"w\": 1, \"h\": 1}, \"x\": 1")
+                    .replace("\"y\": 1.85", "\"y\": 3.5")
+                    .replace(
+                            "\"w\": 0.5, \"h\": 4}, \"x\": 8, \"y\": 2",
+                            "\"w\": 1, \"h\": 3}, \"x\": 1, \"y\": 1.5");
+
     private static List<String> leads(Level level, String... winning) {
-        return new FalseLeads(level, new Games(Games.Cores.ONE)).first(Set.of(winning));
+        return leads(level, FalseLeads.Losses.OF_THE_BALL, Set.of(winning));
+    }
+
+    private static List<String> leads(Level level, FalseLeads.Losses losses, Set<String> winning) {
+        return new FalseLeads(level, new Games(Games.Cores.ONE), losses).first(winning);
     }
 
     @Test
@@ -58,5 +71,26 @@ class FalseLeadsTest {
     @Test
     void clickThatOtherGamesWinByIsOneWhenItLosesFirst() {
         assertThat(leads(LevelTexts.level(PAST_THE_PLATFORM), "box")).containsExactly("box");
+    }
+
+    @Test
+    void aBallLeftWhereNothingWinsIsLostOnlyIfDeadEndsCount() {
+        Level level = LevelTexts.level(ONTO_A_SHELF);
+        assertThat(leads(level)).isEmpty();
+        assertThat(leads(level, FalseLeads.Losses.AND_DEAD_ENDS, Set.of())).containsExactly("box");
+    }
+
+    /** From the shelf, which is a box as well, the ball goes on to the platform. */
+    @Test
+    void aBallThatAnotherClickFreesIsInNoDeadEnd() {
+        String shelf =
+                LevelTexts.with("\"y\": 2.7", "\"y\": 4.7")
+                        .replace("\"y\": 1.85", "\"y\": 3.85")
+                        .replace(
+                                "\"w\": 0.5, \"h\": 4}, \"x\": 8, \"y\": 2",
+                                "\"w\": 2, \"h\": 1}, \"x\": 4.5, \"y\": 2.85")
+                        .replace("\"dynamic\": false", "\"dynamic\": false, \"deletable\": true");
+        assertThat(leads(LevelTexts.level(shelf), FalseLeads.Losses.AND_DEAD_ENDS, Set.of()))
+                .isEmpty();
     }
 }
