@@ -36,9 +36,8 @@ final class MovingFloor implements HardCase {
 
     @Override
     public String finding() {
-        return "Boxes that lie side by side give elimination rows that depend on each other, and"
-                + " round-off chooses among them: a heap that only lies elsewhere settles in"
-                + " another way, too.";
+        return "Boxes that lie side by side share loads in more ways than one, and round-off"
+                + " chooses among them: a heap that only lies elsewhere may settle in another way.";
     }
 
     @Override

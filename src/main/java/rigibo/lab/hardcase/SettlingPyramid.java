@@ -79,11 +79,8 @@ final class SettlingPyramid implements HardCase {
 
     @Override
     public String finding() {
-        return "At GAME passes leave overlap where a storey lands, up to five thousandths of a"
-                + " width, and what is above falls that much farther: the smaller the gaps, the"
-                + " larger a share of the fall. When a pyramid that calms down goes from several"
-                + " substeps to one, its kick begins with longer impulses than the last one had,"
-                + " and passes leave part of them.";
+        return "When a pyramid that calms down goes from several substeps to one, its kick begins"
+                + " with longer impulses than the last one had, and passes leave part of them.";
     }
 
     @Override
