@@ -104,9 +104,6 @@ public final class Rounds {
      */
     private static final int MOST_PASSES = 32;
 
-    /** Passes over overlap in a substep; the next one continues. */
-    private static final int PASSES_OVER_OVERLAP = 10;
-
     private final Motions motions;
     private final PackedContacts contacts;
     private final OwnLoads own;
@@ -162,7 +159,7 @@ public final class Rounds {
         this.sweep = sweep;
         this.overlap = overlap;
         int substeps = accuracy.substeps();
-        direct = new DirectSolver(motions, contacts, substeps);
+        direct = new DirectSolver(motions, contacts, overlap, substeps);
         halfway = new Halfway(motions, contacts);
         before = new Halfway(motions, contacts);
         best = new Halfway(motions, contacts);
@@ -373,7 +370,8 @@ public final class Rounds {
             overlap.partJammed(h, substep);
         } else if (isCorrecting && overlap.findDeep(substep)) {
             overlap.begin();
-            overlap.correct(h, substep, PASSES_OVER_OVERLAP);
+            direct.correct(h, substep);
+            overlap.correct(h, substep);
             overlap.end(h, substep);
         }
     }

@@ -3,8 +3,10 @@ package rigibo.backend.contact.solve;
 import static rigibo.backend.contact.solve.FlatRows.KINDS;
 import static rigibo.backend.contact.solve.FlatRows.TANGENT;
 
+import rigibo.backend.contact.row.Displacement;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
+import rigibo.backend.storage.KeptOverlap;
 
 import java.util.Arrays;
 
@@ -33,6 +35,7 @@ public final class DirectSolver {
 
     private final Motions motions;
     private final PackedContacts contacts;
+    private final OverlapSolver overlap;
     private final FlatRows rows;
     private final ContactOrder order;
     private final RowFactor factor;
@@ -61,10 +64,16 @@ public final class DirectSolver {
     /** Speed in m/s below which the load that causes it counts as none. */
     private double least;
 
+    /** Displacements by the removal of overlap. */
+    private final Displacement way;
+
     /** A solver whose number of tries grows with the number of substeps. */
-    public DirectSolver(Motions motions, PackedContacts contacts, int substeps) {
+    public DirectSolver(
+            Motions motions, PackedContacts contacts, OverlapSolver overlap, int substeps) {
         this.motions = motions;
         this.contacts = contacts;
+        this.overlap = overlap;
+        way = new Displacement(motions);
         order = new ContactOrder(motions, contacts);
         rows = new FlatRows(motions, contacts, order);
         factor = new RowFactor(contacts, rows, order);
@@ -181,6 +190,78 @@ public final class DirectSolver {
             } else {
                 stepToFirstBound();
             }
+        }
+    }
+
+    /** Removes the overlap of loaded rows, or of all overlapping rows if none is loaded. */
+    public void correct(double h, int substep) {
+        reserve();
+        if (factor.size() == 0 || !factor.isSymmetric()) {
+            layOut();
+            Arrays.fill(rows.sliding, 0, contacts.count, 0);
+            chooseOverlapping(h, substep);
+            factor.factorize(set, size);
+        }
+        size = factor.writeSet(set);
+        double widest = 0;
+        for (int i = 0; i < size; i++) {
+            int row = order.order[set[i] / KINDS];
+            int kind = set[i] % KINDS;
+            unknown[i] = kind == TANGENT ? 0 : overlap.wanted(row, kind, h);
+            if (unknown[i] > 0) {
+                widest =
+                        Math.max(
+                                widest,
+                                contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH]);
+            }
+        }
+        if (widest > 0) {
+            factor.solve(unknown);
+            way.begin();
+            for (int i = 0; i < size; i++) {
+                rows.move(set[i], unknown[i]);
+            }
+            limitWay(overlap.mostPush() * widest * h);
+        }
+    }
+
+    private void chooseOverlapping(double h, int substep) {
+        size = 0;
+        for (int i = 0; i < contacts.count; i++) {
+            int row = order.order[i];
+            if (contacts.firstSubstep[row] <= substep) {
+                for (int point = 0; point < contacts.points[row]; point++) {
+                    if (overlap.wanted(row, point, h) > 0 || isOnGround(row, point)) {
+                        set[size++] = KINDS * i + point;
+                    }
+                }
+            }
+        }
+    }
+
+    /**
+     * Whether a point touches the ground. Bodies on it do not yield, so that their neighbours move
+     * all the way.
+     */
+    private boolean isOnGround(int row, int point) {
+        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        return row >= contacts.groundStart
+                && motions.gap(contacts, row, point) <= KeptOverlap.LEAST * width;
+    }
+
+    /**
+     * Limits the displacement of any body, m. Otherwise contradicting overlaps, of a body between
+     * two immovable ones, would be resolved by moving it around them.
+     */
+    private void limitWay(double most) {
+        double farthest = 0;
+        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
+            double x = way.of(at + Motions.DX);
+            double y = way.of(at + Motions.DY);
+            farthest = Math.max(farthest, Math.max(Math.abs(x), Math.abs(y)));
+        }
+        if (farthest > most) {
+            way.scaleAll(most / farthest);
         }
     }
 

@@ -174,17 +174,7 @@ final class FlatRows {
     /** Changes a row's impulse by an amount in N·s, and the velocities of its bodies with it. */
     void push(int k, double change) {
         impulse[k] += change;
-        double[] m = motions.data;
-        int a = bodyA[k];
-        int b = bodyB[k];
-        double ma = m[a + Motions.INVERSE_MASS] * change;
-        double mb = m[b + Motions.INVERSE_MASS] * change;
-        m[a + Motions.VX] -= ma * directionX[k];
-        m[a + Motions.VY] -= ma * directionY[k];
-        m[a + Motions.SPIN] -= m[a + Motions.INVERSE_INERTIA] * leverA[k] * change;
-        m[b + Motions.VX] += mb * directionX[k];
-        m[b + Motions.VY] += mb * directionY[k];
-        m[b + Motions.SPIN] += m[b + Motions.INVERSE_INERTIA] * leverB[k] * change;
+        apply(k, change, Motions.VX);
     }
 
     /** Sets a row's impulse, N·s, and changes the velocities of its bodies. */
@@ -193,6 +183,26 @@ final class FlatRows {
             push(k, value - impulse[k]);
             impulse[k] = value;
         }
+    }
+
+    /** Displaces the bodies of a row, as an impulse would move them in one second, kg·m. */
+    void move(int k, double push) {
+        apply(k, push, Motions.DX);
+    }
+
+    /** Changes three adjacent columns, x, y and turn, by an impulse. */
+    private void apply(int k, double change, int column) {
+        double[] m = motions.data;
+        int a = bodyA[k];
+        int b = bodyB[k];
+        double ma = m[a + Motions.INVERSE_MASS] * change;
+        double mb = m[b + Motions.INVERSE_MASS] * change;
+        m[a + column] -= ma * directionX[k];
+        m[a + column + 1] -= ma * directionY[k];
+        m[a + column + 2] -= m[a + Motions.INVERSE_INERTIA] * leverA[k] * change;
+        m[b + column] += mb * directionX[k];
+        m[b + column + 1] += mb * directionY[k];
+        m[b + column + 2] += m[b + Motions.INVERSE_INERTIA] * leverB[k] * change;
     }
 
     /** Friction that comes with a unit impulse of a row, s·μ; 0 without sliding. */

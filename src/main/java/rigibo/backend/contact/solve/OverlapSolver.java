@@ -33,6 +33,9 @@ public final class OverlapSolver {
      */
     private static final double ALIKE = 30;
 
+    /** Highest speed at which overlap that goes at once moves a body, widths per second. */
+    private static final double MOST_PUSH_AT_ONCE = 0.5;
+
     /** Overlap with the ground that can be seen, in widths. */
     private static final double SHOWS = 0.01;
 
@@ -150,6 +153,15 @@ public final class OverlapSolver {
         }
     }
 
+    /**
+     * Highest speed at which removal of overlap moves a body of the packed island, widths per
+     * second. Where overlap goes at once, a tower that lists by a little at each storey would else
+     * be set upright within a substep, and its top into what stands beside it.
+     */
+    double mostPush() {
+        return last > 0 ? MOST_PUSH_AT_ONCE : Recovery.MOST_PUSH;
+    }
+
     /** Whether the packed island is jammed: calm, and with crushed bodies. */
     public boolean isJammed() {
         return isJammed;
@@ -218,17 +230,11 @@ public final class OverlapSolver {
         }
     }
 
-    /**
-     * Makes passes over all rows. An elimination would hold the rows that happen to be loaded, and
-     * among redundant ones round-off chooses these: the same heap came apart by other ways on a
-     * floor that moves.
-     */
-    public void correct(double h, int substep, int passes) {
-        for (int pass = 0; pass < passes; pass++) {
-            for (int row = 0; row < contacts.count; row++) {
-                if (contacts.firstSubstep[row] <= substep) {
-                    correct(row, h, Recovery.MOST_PUSH);
-                }
+    /** One pass over all rows. */
+    public void correct(double h, int substep) {
+        for (int row = 0; row < contacts.count; row++) {
+            if (contacts.firstSubstep[row] <= substep) {
+                correct(row, h, Recovery.MOST_PUSH);
             }
         }
     }

@@ -9,9 +9,12 @@ import rigibo.backend.contact.row.DenseRows;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedIsland;
+import rigibo.backend.contact.row.Recovery;
 import rigibo.backend.contact.row.SharedRows;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Rotation;
+import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 
 import java.util.SplittableRandom;
@@ -30,7 +33,10 @@ class DirectSolverTest {
     private final Motions motions = island.motions;
     private final PackedContacts contacts = island.contacts;
     private final DenseRows dense = new DenseRows(island);
-    private final DirectSolver direct = new DirectSolver(motions, contacts, 16);
+    private final Bodies bodies = new Bodies(Effects.of(new Contacts(), new Rotation()));
+    private final OverlapSolver overlap =
+            new OverlapSolver(bodies, motions, contacts, Accuracy.GAME);
+    private final DirectSolver direct = new DirectSolver(motions, contacts, overlap, 16);
     private final ContactSweep sweep =
             new ContactSweep(
                     new Bodies(Effects.of(new Contacts())),
@@ -249,5 +255,107 @@ class DirectSolverTest {
         assertThat(direct.prepare(PLENTY)).isTrue();
         contact(random, 64, 65, 0);
         assertThat(direct.prepare(PLENTY)).isFalse();
+    }
+
+    private void overlaps(SplittableRandom random, int count, double deepest) {
+        bodies.smallestWidth[0] = 1;
+        heap(random, count, 0);
+        for (int row = 0; row < contacts.count; row++) {
+            contacts.points[row] = 1;
+            set(row, PackedContacts.GIVE, 1e-13);
+            set(row, PackedContacts.RECOVERY, Recovery.RATE);
+            set(row, PackedContacts.GAP0, random.nextDouble(-deepest, deepest / 5));
+            set(row, PackedContacts.GAP1, 0);
+            set(row, PackedContacts.IMPULSE0, 0);
+        }
+        contacts.groundStart = contacts.count;
+        overlap.prepare(false);
+        direct.prepare(PLENTY);
+        direct.begin();
+    }
+
+    /** Where nothing carries, what overlaps is parted at once, just as far as it is to be. */
+    @Test
+    void overlapOpensAsItIsToOpen() {
+        SplittableRandom random = new SplittableRandom(7);
+        int parted = 0;
+        for (int i = 0; i < 100; i++) {
+            overlaps(random, 2 + random.nextInt(4), 1e-3);
+            double[] wanted = new double[contacts.count];
+            for (int row = 0; row < contacts.count; row++) {
+                wanted[row] = overlap.wanted(row, 0, H);
+            }
+            double[] before = dense.velocities();
+            direct.correct(H, 0);
+            if (farthest() < Recovery.MOST_PUSH * H * 0.99) {
+                for (int row = 0; row < contacts.count; row++) {
+                    if (wanted[row] > 0) {
+                        parted++;
+                        assertThat(dense.along(row, 0, dense.displacements()))
+                                .isCloseTo(wanted[row], within(1e-6 * wanted[row] + 1e-12));
+                    }
+                }
+            }
+            assertThat(dense.velocities()).isEqualTo(before);
+        }
+        assertThat(parted).isGreaterThan(100);
+    }
+
+    private double farthest() {
+        double most = 0;
+        double[] places = dense.displacements();
+        for (int i = 3; i < places.length; i++) {
+            most = i % 3 == 2 ? most : Math.max(most, Math.abs(places[i]));
+        }
+        return most;
+    }
+
+    /** No body goes farther than three widths a second let it. */
+    @Test
+    void waysAreLimited() {
+        SplittableRandom random = new SplittableRandom(8);
+        int limited = 0;
+        double most = Recovery.MOST_PUSH * H;
+        for (int i = 0; i < 100; i++) {
+            overlaps(random, 2 + random.nextInt(4), 1);
+            direct.correct(H, 0);
+            assertThat(farthest()).isLessThan(most * (1 + 1e-12));
+            limited += farthest() > most * (1 - 1e-12) ? 1 : 0;
+        }
+        assertThat(limited).isGreaterThan(20);
+    }
+
+    /** A body that stands on the ground does not yield to the one above. */
+    @Test
+    void whatStandsOnTheGroundStays() {
+        island.begin(2);
+        island.body(1, 1, 1);
+        island.body(2, 1, 1);
+        island.contact(1, 2, 0.5, 0.5);
+        island.onGround(1, 0.5, 0.5);
+        for (int row = 0; row < 2; row++) {
+            set(row, PackedContacts.MASS_T, 1);
+            set(row, PackedContacts.GIVE, 1e-12);
+            set(row, PackedContacts.RECOVERY, Recovery.RATE);
+        }
+        contacts.groundStart = 1;
+        set(0, PackedContacts.GAP0, -1e-3);
+        set(0, PackedContacts.GAP1, -1e-3);
+        overlap.prepare(false);
+        direct.prepare(PLENTY);
+        direct.begin();
+        double wanted = overlap.wanted(0, 0, H);
+        direct.correct(H, 0);
+        assertThat(dense.displacements()[4]).isCloseTo(0, within(1e-12));
+        assertThat(dense.displacements()[7]).isCloseTo(wanted, within(1e-12));
+        // Lifted off by more than the kept overlap, it takes half of the way.
+        island.motions.data[Motions.STRIDE + Motions.DY] = 0;
+        island.motions.data[2 * Motions.STRIDE + Motions.DY] = 0;
+        set(1, PackedContacts.GAP0, 2e-5);
+        set(1, PackedContacts.GAP1, 2e-5);
+        direct.forget();
+        direct.correct(H, 0);
+        assertThat(dense.displacements()[4]).isCloseTo(-wanted / 2, within(1e-12));
+        assertThat(dense.displacements()[7]).isCloseTo(wanted / 2, within(1e-12));
     }
 }

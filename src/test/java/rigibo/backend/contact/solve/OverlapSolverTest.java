@@ -132,27 +132,8 @@ class OverlapSolverTest {
         }
         OverlapSolver solver = new OverlapSolver(bodies, motions, contacts, Accuracy.GAME);
         solver.prepare(isCalm);
-        solver.correct(H, 0, 1);
+        solver.correct(H, 0);
         return moved(2, Motions.DY) - moved(1, Motions.DY);
-    }
-
-    /** In a stack each pass leaves so much less to the next one that the lowest body stays. */
-    @Test
-    void passesRaiseAStackFromTheGround() {
-        island.begin(3);
-        for (int body = 1; body <= 3; body++) {
-            island.body(body, 1, 0);
-        }
-        overlap(island.onGround(1, 0.5, 0.5), KeptOverlap.LEAST);
-        overlap(island.contact(1, 2, 0.5, 0.5), 5e-4);
-        overlap(island.contact(2, 3, 0.5, 0.5), 5e-4);
-        OverlapSolver solver = new OverlapSolver(bodies, motions, contacts, Accuracy.GAME);
-        solver.prepare(true);
-        solver.correct(H, 0, 100);
-        double way = 5e-4 - KeptOverlap.LEAST;
-        assertThat(moved(1, Motions.DY)).isCloseTo(0, within(1e-9));
-        assertThat(moved(2, Motions.DY)).isCloseTo(way, within(1e-9));
-        assertThat(moved(3, Motions.DY)).isCloseTo(2 * way, within(1e-9));
     }
 
     private void overlap(int row, double overlap) {

@@ -85,10 +85,10 @@ class OverlapWaysTest {
             overlap(row, first, second);
             contacts.firstSubstep[row] = 2;
             solver.prepare(false);
-            solver.correct(H, 1, 1);
+            solver.correct(H, 1);
             assertThat(motions.areWhereTheyWere()).isTrue();
             double[] speeds = dense.velocities();
-            solver.correct(H, 2, 1);
+            solver.correct(H, 2);
             double[] pushes = pushes(row, wanted(first), wanted(second));
             double[] change = dense.change(pushes);
             double[] now = dense.displacements();
@@ -110,7 +110,7 @@ class OverlapWaysTest {
         overlap(row, 0.01, 0.05);
         contacts.points[row] = 1;
         solver.prepare(false);
-        solver.correct(H, 0, 1);
+        solver.correct(H, 0);
         double opened = dense.along(row, 0, dense.displacements());
         assertThat(opened).isCloseTo(wanted(0.01), within(ROUND_OFF));
     }
