@@ -54,6 +54,9 @@ final class DemoScene implements Scene {
     private void restart() {
         demo = maker.apply(director.words());
         Camera camera = demo.camera();
+        if (bench != null) {
+            bench.close();
+        }
         bench = new Workbench(demo.effects(), camera);
         demo.build(bench);
         plates =
@@ -120,6 +123,7 @@ final class DemoScene implements Scene {
     @Override
     public void closed() {
         trials.close();
+        bench.close();
     }
 
     @Override

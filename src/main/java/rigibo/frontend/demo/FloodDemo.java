@@ -60,9 +60,11 @@ final class FloodDemo implements Demo {
     private static final double HOSE_WIDTH = 1.2;
     private static final double NOZZLE_HEIGHT = 20.5;
 
-    private final SplittableRandom random = new SplittableRandom(7);
+    private static final int SEED = 7;
+
+    private SplittableRandom random = new SplittableRandom(SEED);
     private final Deque<RigidBody> drops = new ArrayDeque<>();
-    private final FrameTimes times = new FrameTimes();
+    private final Crews crews;
     private Workbench bench;
     private RigidBody hatch;
     private boolean isHosing;
@@ -73,12 +75,15 @@ final class FloodDemo implements Demo {
     private boolean isBoxes;
     private boolean hasFriction;
     private boolean hasSleep;
-    private boolean isSearching;
-    private int heldDrawn;
-    private int heldAlone;
 
     FloodDemo(Words words) {
+        this(words, Runtime.getRuntime().availableProcessors());
+    }
+
+    /** A flood on a machine with so many processors. */
+    FloodDemo(Words words, int processors) {
         this.words = words;
+        crews = new Crews(words, processors);
     }
 
     /** How the menu lists it. */
@@ -187,13 +192,14 @@ final class FloodDemo implements Demo {
                         () -> switchTo(hasSleep = !hasSleep)),
                 new Toggle(words.of("flood.hose"), () -> isHosing, () -> isHosing = !isHosing),
                 new Toggle(words.of("flood.drain"), () -> hatch == null, this::drain),
+                crews.choice(),
                 new Button(words.of("flood.search"), this::search),
                 new Readout(words.of("flood.bodies"), () -> "" + drops.size()),
-                new Readout(words.of("flood.p50"), () -> millis(50)),
-                new Readout(words.of("flood.p95"), () -> millis(95)),
-                new Readout(words.of("flood.p99"), () -> millis(99)),
-                new Readout(words.of("flood.drawn"), () -> held(heldDrawn)),
-                new Readout(words.of("flood.alone"), () -> held(heldAlone)),
+                new Readout(words.of("flood.by"), crews::numbers),
+                new Readout(words.of("flood.p50"), crews::medians),
+                new Readout(words.of("flood.late"), crews::lateSteps),
+                new Readout(words.of("flood.drawn"), () -> crews.held(Crew::heldDrawn)),
+                new Readout(words.of("flood.alone"), () -> crews.held(Crew::heldAlone)),
                 new Readout(words.of("flood.overlap"), this::overlap),
                 new Readout(words.of("flood.rise"), reference::predictedWords),
                 new Readout("", () -> ReferenceBall.FORMULA),
@@ -220,15 +226,25 @@ final class FloodDemo implements Demo {
      * earlier.
      */
     private void search() {
-        isSearching = true;
-        heldDrawn = 0;
-        heldAlone = 0;
-        times.forget();
+        crews.search();
+        pourAnew();
+    }
+
+    /** Empties the trough and pours the same bodies again, so that all crews get the same flood. */
+    private void pourAnew() {
+        drops.forEach(bench::remove);
+        drops.clear();
+        random = new SplittableRandom(SEED);
+        isHosing = false;
+        if (hatch == null) {
+            drain();
+        }
     }
 
     @Override
     public void beforeStep(Workbench on) {
-        if (isSearching) {
+        on.pool().workers(crews.present().workers);
+        if (crews.isSearching()) {
             wanted = drops.size() + POURED_PER_TURN;
         }
         for (int i = 0; i < POURED_PER_TURN && (isHosing || drops.size() < wanted); i++) {
@@ -282,33 +298,21 @@ final class FloodDemo implements Demo {
 
     @Override
     public void afterStep(Workbench on) {
-        times.step(on.pool().report());
         reference.afterStep(on);
-        if (isSearching) {
-            heldDrawn = times.frameHolds() ? drops.size() : heldDrawn;
-            heldAlone = times.stepHolds() ? drops.size() : heldAlone;
-            isSearching = times.stepHolds() && drops.size() < MOST_BODIES;
+        boolean isFull = drops.size() >= MOST_BODIES;
+        if (crews.goesOnWithTheNext(on.pool().report(), drops.size(), isFull)) {
+            pourAnew();
         }
     }
 
     @Override
     public void drawn(long nanos) {
-        times.drawing(nanos);
+        crews.present().times.drawing(nanos);
     }
 
     @Override
     public void draw(Workbench on, Canvas canvas) {
         reference.draw(on.camera(), canvas);
-    }
-
-    private String held(int bodies) {
-        return bodies == 0
-                ? words.of("flood.unknown")
-                : isSearching ? words.of("flood.so-far", "" + bodies) : "" + bodies;
-    }
-
-    private String millis(int percent) {
-        return String.format(Locale.ROOT, "%.2f ms", times.step(percent));
     }
 
     private String overlap() {

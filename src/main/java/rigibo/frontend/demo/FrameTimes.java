@@ -18,8 +18,20 @@ final class FrameTimes {
     /** Number of frames in a hundred that must be in time for a rate to count as held. */
     private static final int HELD = 95;
 
+    /**
+     * Number of steps from which on figures are told: one that is late by chance decides nothing.
+     */
+    private static final int MEASURED = 30;
+
+    /** Least share that one load is of another if times are to be compared. */
+    private static final double ALIKE = 0.8;
+
     private final double[] steps = new double[WINDOW];
     private final double[] frames = new double[WINDOW];
+
+    /** Contacts solved by each step: its work by a count that no clock and no worker changes. */
+    private final double[] solves = new double[WINDOW];
+
     private int turn;
     private double drawing;
 
@@ -31,6 +43,7 @@ final class FrameTimes {
         }
         steps[turn % WINDOW] = nanos / 1e6;
         frames[turn % WINDOW] = nanos / 1e6 + drawing;
+        solves[turn % WINDOW] = report.contactSolves();
         turn++;
     }
 
@@ -47,6 +60,18 @@ final class FrameTimes {
     /** The time below which a percentage of the steps stay, ms. */
     double step(int percent) {
         return percentile(steps, percent);
+    }
+
+    /** Whether there were enough steps to tell figures of them. */
+    boolean isMeasured() {
+        return turn >= MEASURED;
+    }
+
+    /** Whether steps had about as much work as others. */
+    boolean isAsLoadedAs(FrameTimes others) {
+        double here = percentile(solves, 50);
+        double there = others.percentile(others.solves, 50);
+        return Math.min(here, there) >= ALIKE * Math.max(here, there);
     }
 
     /** Whether the steps alone hold 60 Hz. */

@@ -67,6 +67,11 @@ final class Workbench implements Bench {
         return camera;
     }
 
+    /** Ends the threads that share steps, if there are any. */
+    void close() {
+        pool.close();
+    }
+
     RigidBody add(BodyDefinition definition, Skin skin) {
         RigidBody body = pool.add(definition);
         skins.put(body, skin);
