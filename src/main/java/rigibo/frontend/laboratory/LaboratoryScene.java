@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
@@ -235,6 +236,12 @@ final class LaboratoryScene implements Scene {
     @Override
     public void pointerReleased(PointerButton button, double x, double y) {
         expert.pointerReleased();
+    }
+
+    /** Eight drawers and the numbers beside a graph are as wide as a small window lets them be. */
+    @Override
+    public double mostType() {
+        return 1 / Layout.LEAST_SCALE;
     }
 
     @Override
