@@ -1,6 +1,7 @@
 package rigibo.frontend.scene;
 
 import java.util.Set;
+import java.util.function.Consumer;
 
 /**
  * A player's settings, for all scenes.
@@ -96,115 +97,99 @@ public record Settings(
 
     /** Returns these settings with another language. */
     public Settings withLanguage(String other) {
-        return new Settings(
-                other, volume, isMuted, motion, detail, isFullScreen, hasGhost, music, text, keys);
+        return with(copy -> copy.language = other);
     }
 
     /** Returns these settings with another volume, 0 to 1. */
     public Settings withVolume(double other) {
-        return new Settings(
-                language,
-                other,
-                isMuted,
-                motion,
-                detail,
-                isFullScreen,
-                hasGhost,
-                music,
-                text,
-                keys);
+        return with(copy -> copy.volume = other);
     }
 
     /** Returns these settings with sound or without. */
     public Settings withMuted(boolean other) {
-        return new Settings(
-                language, volume, other, motion, detail, isFullScreen, hasGhost, music, text, keys);
+        return with(copy -> copy.isMuted = other);
     }
 
     /** Returns these settings with another amount of motion. */
     public Settings withMotion(Motion other) {
-        return new Settings(
-                language,
-                volume,
-                isMuted,
-                other,
-                detail,
-                isFullScreen,
-                hasGhost,
-                music,
-                text,
-                keys);
+        return with(copy -> copy.motion = other);
     }
 
     /** Returns these settings with another amount of detail. */
     public Settings withDetail(Detail other) {
-        return new Settings(
-                language,
-                volume,
-                isMuted,
-                motion,
-                other,
-                isFullScreen,
-                hasGhost,
-                music,
-                text,
-                keys);
+        return with(copy -> copy.detail = other);
     }
 
     /** Returns these settings for windows or the full screen. */
     public Settings withFullScreen(boolean other) {
-        return new Settings(
-                language, volume, isMuted, motion, detail, other, hasGhost, music, text, keys);
+        return with(copy -> copy.isFullScreen = other);
     }
 
     /** Returns these settings with the ghost of the best run or without. */
     public Settings withGhost(boolean other) {
-        return new Settings(
-                language, volume, isMuted, motion, detail, isFullScreen, other, music, text, keys);
+        return with(copy -> copy.hasGhost = other);
     }
 
     /** Returns these settings with another volume of the music, 0 to 1. */
     public Settings withMusic(double other) {
-        return new Settings(
-                language,
-                volume,
-                isMuted,
-                motion,
-                detail,
-                isFullScreen,
-                hasGhost,
-                other,
-                text,
-                keys);
+        return with(copy -> copy.music = other);
     }
 
     /** Returns these settings with other keys. */
     public Settings withKeys(KeyBindings other) {
-        return new Settings(
-                language,
-                volume,
-                isMuted,
-                motion,
-                detail,
-                isFullScreen,
-                hasGhost,
-                music,
-                text,
-                other);
+        return with(copy -> copy.keys = other);
     }
 
     /** Returns these settings with another size of text. */
     public Settings withText(TextSize other) {
-        return new Settings(
-                language,
-                volume,
-                isMuted,
-                motion,
-                detail,
-                isFullScreen,
-                hasGhost,
-                music,
-                other,
-                keys);
+        return with(copy -> copy.text = other);
+    }
+
+    private Settings with(Consumer<Copy> change) {
+        Copy copy = new Copy(this);
+        change.accept(copy);
+        return copy.settings();
+    }
+
+    /** Settings that can be changed, so that their list of components is written once. */
+    private static final class Copy {
+
+        private String language;
+        private double volume;
+        private boolean isMuted;
+        private Motion motion;
+        private Detail detail;
+        private boolean isFullScreen;
+        private boolean hasGhost;
+        private double music;
+        private TextSize text;
+        private KeyBindings keys;
+
+        private Copy(Settings from) {
+            language = from.language;
+            volume = from.volume;
+            isMuted = from.isMuted;
+            motion = from.motion;
+            detail = from.detail;
+            isFullScreen = from.isFullScreen;
+            hasGhost = from.hasGhost;
+            music = from.music;
+            text = from.text;
+            keys = from.keys;
+        }
+
+        private Settings settings() {
+            return new Settings(
+                    language,
+                    volume,
+                    isMuted,
+                    motion,
+                    detail,
+                    isFullScreen,
+                    hasGhost,
+                    music,
+                    text,
+                    keys);
+        }
     }
 }
