@@ -167,11 +167,11 @@ public final class Narrowphase {
             boolean hasStayed =
                     whereabouts.hasStayed(pairs.bodyA[pair])
                             && whereabouts.hasStayed(pairs.bodyB[pair]);
-            double reach = reach(pair, dt);
-            if (hasStayed && isMeasured(pair, dt, reach)) {
+            double reach = reachIfHeld(pair, dt);
+            if (hasStayed && isMeasured(pair, reach)) {
                 goOn(pair);
             } else {
-                helpers[worker].measure(pair, dt, reach);
+                helpers[worker].measure(pair, reach);
             }
         }
     }
@@ -179,13 +179,12 @@ public final class Narrowphase {
     /**
      * Whether a new measurement of bodies that have not moved would give the points that they have.
      */
-    private boolean isMeasured(int pair, double dt, double reach) {
-        double all = reach + wayIfHeld(pair, dt);
-        if (!(all <= pairs.reach[pair])) {
+    private boolean isMeasured(int pair, double reach) {
+        if (!(reach <= pairs.reach[pair])) {
             return false;
         }
         // A pair that is awaited is measured again, because that depends on the reach.
-        return pairs.points[pair] == 0 ? !pairs.isAwaited(pair) : farthest(pair) <= all;
+        return pairs.points[pair] == 0 ? !pairs.isAwaited(pair) : farthest(pair) <= reach;
     }
 
     private double farthest(int pair) {
@@ -211,15 +210,14 @@ public final class Narrowphase {
         noteTouch(pair);
     }
 
-    private void measure(int pair, double dt, double reach) {
+    private void measure(int pair, double reach) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         poseA.set(bodies.x[a], bodies.y[a], bodies.cos[a], bodies.sin[a]);
         poseB.set(bodies.x[b], bodies.y[b], bodies.cos[b], bodies.sin[b]);
         boolean isPassing = pairs.passage != null && pairs.passage[pair] >= Pairs.PASSES;
-        double all = reach + wayIfHeld(pair, dt);
-        fill(pair, isPassing, poseA, poseB, all);
-        pairs.reach[pair] = all;
+        fill(pair, isPassing, poseA, poseB, reach);
+        pairs.reach[pair] = reach;
     }
 
     /** Fills a pair's manifold at poses of its bodies, with all points within a reach, m. */
