@@ -10,13 +10,11 @@ import org.junit.jupiter.api.io.TempDir;
 import rigibo.backend.Pool;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
-import java.util.spi.ToolProvider;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.Stream;
 
 /** The engine without the game, as its jar holds it, is enough for the example of the README. */
@@ -31,7 +29,7 @@ class EngineAloneTest {
     /** Its classes apart from all others, and the declaration that makes a module of them. */
     @BeforeAll
     static void setApart() throws IOException, URISyntaxException {
-        assumeTrue(ToolProvider.findFirst("javac").isPresent(), "this Java has no compiler");
+        assumeTrue(JdkTool.isThere("javac"), "this Java has no compiler");
         Path all = Path.of(Pool.class.getProtectionDomain().getCodeSource().getLocation().toURI());
         try (Stream<Path> files = Files.walk(all.resolve("rigibo/backend"))) {
             for (Path file : files.filter(Files::isRegularFile).toList()) {
@@ -43,6 +41,30 @@ class EngineAloneTest {
         String patch = "rigibo.backend=" + engine;
         String declaration = "src/engine/java/module-info.java";
         run("javac", "--release", "17", "--patch-module", patch, "-d", "" + engine, declaration);
+    }
+
+    /** As {@code ./rigibo install} compiles it, which no other build does. */
+    @Test
+    void compilesAsAModuleWithoutAWarning() throws IOException {
+        String lint = "-Xlint:all,-processing,-classfile,-serial,-missing-explicit-ctor";
+        List<String> command =
+                new ArrayList<>(
+                        List.of(
+                                "--release",
+                                "17",
+                                lint,
+                                "-Werror",
+                                "-cp",
+                                "",
+                                "-d",
+                                "" + compiled));
+        command.add("src/engine/java/module-info.java");
+        try (Stream<Path> sources = Files.walk(Path.of("src/main/java/rigibo/backend"))) {
+            sources.map(Path::toString)
+                    .filter(name -> name.endsWith(".java"))
+                    .forEach(command::add);
+        }
+        run("javac", command.toArray(String[]::new));
     }
 
     @Test
@@ -60,42 +82,32 @@ class EngineAloneTest {
 
     @Test
     void compilesTheExampleAgainstWhatTheModuleExports() {
-        Said said = compiledAgainstTheModule(EXAMPLE);
-        assertThat(said.status).as(said.words).isZero();
+        JdkTool.Said said = compiledAgainstTheModule(EXAMPLE);
+        assertThat(said.status()).as("%s", said.words()).isZero();
     }
 
     @Test
     void keepsItsRoomsToItself() throws IOException {
         Path curious = compiled.resolve("Curious.java");
         Files.writeString(curious, "class Curious { rigibo.backend.storage.Bodies bodies; }");
-        Said said = compiledAgainstTheModule(curious);
-        assertThat(said.status).isNotZero();
-        assertThat(said.words).contains("package rigibo.backend.storage is not visible");
+        JdkTool.Said said = compiledAgainstTheModule(curious);
+        assertThat(said.status()).isNotZero();
+        assertThat(said.words()).contains("package rigibo.backend.storage is not visible");
     }
 
     /** With an empty class path, for the compiler would otherwise take that of this test. */
-    private Said compiledAgainstTheModule(Path source) {
+    private JdkTool.Said compiledAgainstTheModule(Path source) {
         String to = "" + compiled;
         String module = "rigibo.backend";
         String path = "" + engine;
-        return Said.by(
+        return JdkTool.call(
                 "javac", "-d", to, "-cp", "", "-p", path, "--add-modules", module, "" + source);
     }
 
     /** What a tool of the JDK prints when all is well. */
     private static String run(String tool, String... words) {
-        Said said = Said.by(tool, words);
-        assertThat(said.status).as("%s: %s", tool, said.words).isZero();
-        return said.words;
-    }
-
-    private record Said(int status, String words) {
-
-        static Said by(String name, String... arguments) {
-            Optional<ToolProvider> tool = ToolProvider.findFirst(name);
-            StringWriter words = new StringWriter();
-            PrintWriter out = new PrintWriter(words, true);
-            return new Said(tool.orElseThrow().run(out, out, arguments), words.toString());
-        }
+        JdkTool.Said said = JdkTool.call(tool, words);
+        assertThat(said.status()).as("%s: %s", tool, said.words()).isZero();
+        return said.words();
     }
 }

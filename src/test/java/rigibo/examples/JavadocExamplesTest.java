@@ -7,8 +7,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,7 +14,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.spi.ToolProvider;
 import java.util.stream.Stream;
 
 /** Every public type that the engine's module exports shows in its Javadoc how it is used. */
@@ -27,28 +24,6 @@ class JavadocExamplesTest {
 
     private static final Pattern EXAMPLE =
             Pattern.compile("<pre>\\{@code\\R(.*?)\\R\\s*\\* \\}</pre>", Pattern.DOTALL);
-
-    /** What an example may speak of without making it. */
-    private static final String GIVEN =
-            """
-            import java.util.*;
-            import rigibo.backend.*;
-            import rigibo.backend.effect.*;
-            import rigibo.backend.geometry.*;
-            import rigibo.backend.setup.*;
-
-            class Example%d {
-                Pool pool;
-                RigidBody crate;
-                RigidBody door;
-                Material wood;
-                Material ice;
-
-                void shown() throws Exception {
-            %s
-                }
-            }
-            """;
 
     @TempDir private Path folder;
 
@@ -90,26 +65,16 @@ class JavadocExamplesTest {
 
     @Test
     void everyExampleCompiles() throws IOException {
-        Optional<ToolProvider> compiler = ToolProvider.findFirst("javac");
-        assumeTrue(compiler.isPresent(), "this Java has no compiler");
-        List<String> command =
-                new ArrayList<>(List.of("-proc:none", "-Xlint:none", "-d", "" + folder));
-        command.add("-cp");
-        command.add(System.getProperty("java.class.path"));
-        int count = 0;
+        assumeTrue(JdkTool.isThere("javac"), "this Java has no compiler");
+        List<String> pieces = new ArrayList<>();
         for (Path file : exported()) {
             Matcher example = EXAMPLE.matcher(Files.readString(file));
             while (example.find()) {
-                String code = example.group(1).replaceAll("(?m)^\\s*\\* ?", "");
-                Path source = folder.resolve("Example" + count + ".java");
-                Files.writeString(source, String.format(GIVEN, count++, code));
-                command.add("" + source);
+                pieces.add(example.group(1).replaceAll("(?m)^\\s*\\* ?", ""));
             }
         }
-        assertThat(count).isGreaterThan(50);
-        StringWriter words = new StringWriter();
-        PrintWriter out = new PrintWriter(words, true);
-        int status = compiler.get().run(out, out, command.toArray(String[]::new));
-        assertThat(status).as("%s", words).isZero();
+        assertThat(pieces).hasSizeGreaterThan(50);
+        JdkTool.Said said = Snippets.compile(folder, pieces);
+        assertThat(said.status()).as("%s", said.words()).isZero();
     }
 }

@@ -57,6 +57,7 @@ public enum Need {
     private final List<Class<? extends Effect>> effects;
 
     @SafeVarargs
+    @SuppressWarnings("varargs") // The list copies the array.
     Need(Class<? extends Effect>... effects) {
         this.effects = List.of(effects);
     }
