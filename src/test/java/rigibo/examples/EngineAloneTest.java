@@ -23,6 +23,8 @@ class EngineAloneTest {
     private static final Path EXAMPLE =
             Path.of("src/examples/java/rigibo/examples/FallingCrate.java");
 
+    private static final Path TUTORIAL = Path.of("src/examples/java/rigibo/tutorial");
+
     @TempDir private static Path engine;
     @TempDir private Path compiled;
 
@@ -84,6 +86,16 @@ class EngineAloneTest {
     void compilesTheExampleAgainstWhatTheModuleExports() {
         JdkTool.Said said = compiledAgainstTheModule(EXAMPLE);
         assertThat(said.status()).as("%s", said.words()).isZero();
+    }
+
+    @Test
+    void compilesTheTutorialAgainstWhatTheModuleExports() throws IOException {
+        try (Stream<Path> programs = Files.list(TUTORIAL)) {
+            for (Path program : programs.toList()) {
+                JdkTool.Said said = compiledAgainstTheModule(program);
+                assertThat(said.status()).as("%s", said.words()).isZero();
+            }
+        }
     }
 
     @Test
