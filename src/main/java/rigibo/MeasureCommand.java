@@ -16,7 +16,7 @@ import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 
-/** Measures what the README claims about time. */
+/** Measures what {@code docs/playing.md} claims about time. */
 @Command(
         name = "measure",
         description =

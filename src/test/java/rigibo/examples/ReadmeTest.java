@@ -17,7 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Collectors;
 
-/** What the README shows is what compiles here. */
+/** What the README and the page on the step show is what compiles and runs here. */
 class ReadmeTest {
 
     private static final Path EXAMPLE =
@@ -40,7 +40,8 @@ class ReadmeTest {
     @Test
     void showsThePlanOfTheUsualPool() throws IOException {
         String plan = new Pool().plan().lines().collect(Collectors.joining("\n"));
-        assertThat(Files.readString(Path.of("README.md"))).contains("```\n" + plan + "\n```");
+        assertThat(Files.readString(Path.of("docs/how-a-step-works.md")))
+                .contains("```\n" + plan + "\n```");
         assertThat(new Pool(Effects.of(new Gravity(0, -9.81)), Accuracy.GAME).plan().lines())
                 .hasSize(7 + 1);
     }
