@@ -1,6 +1,8 @@
 package rigibo.tutorial;
 
+import rigibo.backend.DebugDraw;
 import rigibo.backend.DistanceJoint;
+import rigibo.backend.Joint;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
@@ -104,6 +106,29 @@ public final class CutTheRope {
         System.out.printf("%s keeps %d digits, wins: %b%n", name, digits, game.winsIfCutNow());
     }
 
+    /** Draws outlines and joints as a picture in SVG, whose y points down. */
+    static final class SvgPen implements DebugDraw {
+
+        final StringBuilder svg = new StringBuilder();
+
+        @Override
+        public void outline(RigidBody body, double[] x, double[] y, int points, Look look) {
+            svg.append("<polygon fill='").append(look == Look.SENSOR ? "none" : "teal");
+            svg.append("' points='");
+            for (int i = 0; i < points; i++) {
+                svg.append(x[i]).append(',').append(-y[i]).append(' ');
+            }
+            svg.append("'/>\n");
+        }
+
+        @Override
+        public void joint(Joint joint) {
+            svg.append("<line x1='").append(joint.xA()).append("' y1='").append(-joint.yA());
+            svg.append("' x2='").append(joint.xB()).append("' y2='").append(-joint.yB());
+            svg.append("' stroke='black'/>\n");
+        }
+    }
+
     /** Finds by trial when to cut, then plays that at every accuracy. */
     public static void main(String[] arguments) {
         CutTheRope game = begin(Accuracy.GAME);
@@ -113,6 +138,9 @@ public final class CutTheRope {
             steps++;
         }
         System.out.printf("cut after %d steps%n", steps);
+        SvgPen pen = new SvgPen();
+        game.pool.draw(pen, DebugDraw.Layer.SHAPES, DebugDraw.Layer.JOINTS);
+        System.out.printf("drawn with %d lines of SVG%n", pen.svg.toString().lines().count());
         play("DRAFT", Accuracy.DRAFT, steps);
         play("GAME", Accuracy.GAME, steps);
         play("FINE", Accuracy.FINE, steps);

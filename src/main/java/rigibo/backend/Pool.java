@@ -531,6 +531,36 @@ public final class Pool implements AutoCloseable {
     }
 
     /**
+     * Draws all layers of the pool by the means of the caller; see {@link DebugDraw}. Until it
+     * returns, the pool refuses steps and changes with {@link IllegalStateException}.
+     *
+     * @throws IllegalStateException when called within a step
+     */
+    public void draw(DebugDraw pen) {
+        draw(pen, DebugDraw.Layer.values());
+    }
+
+    /**
+     * Draws some layers of the pool; otherwise as {@link #draw(DebugDraw)}.
+     *
+     * @param layers in the order in which they are drawn
+     */
+    public void draw(DebugDraw pen, DebugDraw.Layer... layers) {
+        Require.present("Pool.draw pen", pen);
+        Require.present("Pool.draw layers", layers);
+        busy.requireBetweenSteps("draw");
+        busy.beginVisit();
+        try {
+            PoolDrawing drawing = new PoolDrawing(this, pen);
+            for (DebugDraw.Layer layer : layers) {
+                drawing.draw(Require.present("Pool.draw layer", layer));
+            }
+        } finally {
+            busy.endVisit();
+        }
+    }
+
+    /**
      * The body that contains a point; of several, the one added last. Without {@code Contacts}
      * there is no tree of fixtures, so this and the queries below check every body.
      *

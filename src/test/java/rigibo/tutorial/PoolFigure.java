@@ -1,10 +1,10 @@
 package rigibo.tutorial;
 
+import rigibo.backend.DebugDraw;
+import rigibo.backend.DebugDraw.Layer;
 import rigibo.backend.Joint;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Outline;
-import rigibo.backend.setup.BodyType;
 import rigibo.docs.Arrow;
 import rigibo.lab.plot.Anchor;
 import rigibo.lab.plot.Drawing;
@@ -13,6 +13,7 @@ import rigibo.lab.plot.Spot;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 
 /** A picture of pools, drawn over each other as often as wanted, in a window of the world. */
 final class PoolFigure {
@@ -20,9 +21,6 @@ final class PoolFigure {
     private static final double WIDTH = 720; // px
     private static final int LETTERS = 15; // px
     private static final double RIM = 1.5; // px
-
-    /** Corners of the polygon by which a disc is drawn. */
-    private static final int ROUND = 48;
 
     /** How much is drawn of a body: faint ones stand where it was before. */
     enum Ink {
@@ -73,32 +71,46 @@ final class PoolFigure {
 
     /** Draws all joints and bodies of a pool, those that move in the given ink. */
     void pool(Pool pool, Ink ink) {
-        pool.joints().forEach(joint -> joint(joint, ink));
-        pool.bodies().forEach(body -> body(body, ink));
+        pool.draw(new Pen(ink, body -> true), Layer.JOINTS, Layer.SHAPES);
     }
 
-    private void joint(Joint joint, Ink ink) {
-        drawing.line(
-                screenX(joint.xA()),
-                screenY(joint.yA()),
-                screenX(joint.xB()),
-                screenY(joint.yB()),
-                2,
-                ink.rim);
+    /** Draws one body of a pool. */
+    void body(Pool pool, RigidBody one, Ink ink) {
+        pool.draw(new Pen(ink, body -> body == one), Layer.SHAPES);
     }
 
-    /** Draws a body; what stands still is grey, and a sensor is hollow. */
-    void body(RigidBody body, Ink ink) {
-        for (int part = 0; part < body.shape().parts(); part++) {
-            boolean isHollow = body.isSensor() || body.shape().isSensor(part);
-            List<Spot> corners = corners(body, body.shape().outline(part));
-            if (isHollow) {
-                hollow(corners);
-            } else if (body.type() == BodyType.STATIC) {
-                drawing.polygon(corners, GROUND, RIM, GROUND_RIM);
-            } else {
-                drawing.polygon(corners, ink.fill, RIM, ink.rim);
+    /** Draws some of the bodies; what stands still is grey, and a sensor is hollow. */
+    private final class Pen implements DebugDraw {
+
+        private final Ink ink;
+        private final Predicate<RigidBody> isDrawn;
+
+        Pen(Ink ink, Predicate<RigidBody> isDrawn) {
+            this.ink = ink;
+            this.isDrawn = isDrawn;
+        }
+
+        @Override
+        public void outline(RigidBody body, double[] x, double[] y, int points, Look look) {
+            if (!isDrawn.test(body)) {
+                return;
             }
+            List<Spot> corners = new ArrayList<>();
+            for (int i = 0; i < points; i++) {
+                corners.add(spot(x[i], y[i]));
+            }
+            switch (look) {
+                case SENSOR, DISABLED -> hollow(corners);
+                case FIXED -> drawing.polygon(corners, GROUND, RIM, GROUND_RIM);
+                case DRIVEN, AWAKE, ASLEEP -> drawing.polygon(corners, ink.fill, RIM, ink.rim);
+            }
+        }
+
+        @Override
+        public void joint(Joint joint) {
+            Spot from = spot(joint.xA(), joint.yA());
+            Spot to = spot(joint.xB(), joint.yB());
+            drawing.line(from.x(), from.y(), to.x(), to.y(), 2, ink.rim);
         }
     }
 
@@ -108,20 +120,6 @@ final class PoolFigure {
             Spot next = corners.get((i + 1) % corners.size());
             drawing.dashed(one.x(), one.y(), next.x(), next.y(), Palette.GREEN);
         }
-    }
-
-    private List<Spot> corners(RigidBody body, Outline outline) {
-        List<Spot> corners = new ArrayList<>();
-        boolean isDisc = outline.isDisc();
-        int count = isDisc ? ROUND : outline.corners();
-        for (int i = 0; i < count; i++) {
-            double turn = 2 * Math.PI * i / ROUND;
-            double round = isDisc ? outline.radius() : 0;
-            double x = outline.cornerX(isDisc ? 0 : i) + round * Math.cos(turn);
-            double y = outline.cornerY(isDisc ? 0 : i) + round * Math.sin(turn);
-            corners.add(spot(body.worldX(x, y), body.worldY(x, y)));
-        }
-        return corners;
     }
 
     /** Draws an arrow between two points of the world, m. */

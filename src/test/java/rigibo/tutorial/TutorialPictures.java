@@ -46,7 +46,7 @@ public final class TutorialPictures {
         Pool pool = new Pool();
         RigidBody box = FallingBox.build(pool);
         for (int exposure = 0; exposure < 4; exposure++) {
-            figure.body(box, FAINT);
+            figure.body(pool, box, FAINT);
             figure.words(0.8, box.y(), String.format(Locale.ROOT, "%.2f s", pool.time()));
             run(pool, 15);
         }
@@ -62,9 +62,9 @@ public final class TutorialPictures {
         Pool pool = new Pool();
         SlideAndBounce.build(pool);
         for (int exposure = 0; exposure < 30; exposure++) {
-            figure.body(pool.bodies().get(2), FAINT);
+            figure.body(pool, pool.bodies().get(2), FAINT);
             if (exposure % 3 == 0) {
-                figure.body(pool.bodies().get(1), FAINT);
+                figure.body(pool, pool.bodies().get(1), FAINT);
             }
             run(pool, 5);
         }
@@ -83,7 +83,7 @@ public final class TutorialPictures {
             }
             run(pool, 1);
         }
-        figure.body(rod.a(), PLAIN);
+        figure.body(pool, rod.a(), PLAIN);
         return figure.svg();
     }
 
@@ -92,10 +92,10 @@ public final class TutorialPictures {
         Pool pool = TrapDoor.open();
         TrapDoor.Trap trap = TrapDoor.build(pool);
         boolean isOpen = false;
-        figure.body(trap.door(), FAINT);
+        figure.body(pool, trap.door(), FAINT);
         for (int i = 0; i < 63; i++) {
             if (i % 7 == 0) {
-                figure.body(trap.ball(), FAINT);
+                figure.body(pool, trap.ball(), FAINT);
             }
             run(pool, 1);
             isOpen = isOpen || TrapDoor.opens(pool, trap);
@@ -164,10 +164,10 @@ public final class TutorialPictures {
         for (int i = 0; !game.isWon(); i++) {
             game.step();
             if (i % 6 == 5) {
-                figure.body(game.ball(), FAINT);
+                figure.body(game.pool(), game.ball(), FAINT);
             }
         }
-        figure.body(game.ball(), GOOD);
+        figure.body(game.pool(), game.ball(), GOOD);
         return figure.svg();
     }
 }

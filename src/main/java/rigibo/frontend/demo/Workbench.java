@@ -1,19 +1,16 @@
 package rigibo.frontend.demo;
 
-import rigibo.backend.ContactView;
 import rigibo.backend.Joint;
 import rigibo.backend.JointDefinition;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.geometry.Aabb;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.frontend.scene.Bench;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
-import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Skin;
@@ -28,16 +25,6 @@ import java.util.function.Consumer;
 /** A pool on the screen: bodies with skins, a camera, and a hand that drags and throws. */
 final class Workbench implements Bench {
 
-    private static final double NORMAL_LENGTH_PX = 22;
-
-    /**
-     * Length of an arrow per square root of its force, px, so that weak forces show beside strong
-     * ones.
-     */
-    private static final double FORCE_LENGTH_PX = 8;
-
-    private static final double LONGEST_FORCE_PX = 120;
-
     private final Pool pool;
     private final Camera camera;
     private final Map<RigidBody, Skin> skins = new IdentityHashMap<>();
@@ -50,7 +37,6 @@ final class Workbench implements Bench {
     private Ghost ghost;
 
     private Accuracy hauntedAt;
-    private final Aabb fixture = new Aabb();
 
     Workbench(Effects effects, Camera camera) {
         this.camera = camera;
@@ -213,7 +199,7 @@ final class Workbench implements Bench {
         canvas.gaze(pointerX(), pointerY());
         RigidBody held = grip.held().orElse(null);
         for (RigidBody body : pool.bodies()) {
-            if (isInView(canvas, body)) {
+            if (isInView(canvas, camera, body)) {
                 boolean isAsleep = body.type() == BodyType.DYNAMIC && !body.isAwake();
                 Canvas.Mood mood =
                         body == held
@@ -228,53 +214,14 @@ final class Workbench implements Bench {
         }
     }
 
-    private boolean isInView(Canvas canvas, RigidBody body) {
+    /** Whether any of a body may be in the window. */
+    static boolean isInView(Canvas canvas, Camera camera, RigidBody body) {
         double radius = body.shape().boundingRadius() * camera.scale();
         return canvas.layout().shows(camera.screenX(body.x()), camera.screenY(body.y()), radius);
     }
 
-    /**
-     * Draws fixtures, contacts with their normals and forces, centres of mass, and which bodies
-     * sleep.
-     */
+    /** Draws what the pool holds and the bodies do not show, after a step of some seconds. */
     void drawDebug(Canvas canvas, double step) {
-        for (RigidBody body : pool.bodies()) {
-            if (isInView(canvas, body)) {
-                drawFixture(canvas, body);
-            }
-        }
-        pool.forEachContact(contact -> drawContact(canvas, contact, step));
-        for (RigidBody body : pool.bodies()) {
-            if (body.type() == BodyType.DYNAMIC && isInView(canvas, body)) {
-                Color color = body.isAwake() ? Color.GOOD : Color.TEXT_DIM;
-                canvas.disc(camera.screenX(body.x()), camera.screenY(body.y()), 3, color);
-            }
-        }
-    }
-
-    private void drawFixture(Canvas canvas, RigidBody body) {
-        body.sizeFixture(fixture);
-        double left = camera.screenX(fixture.minX);
-        double top = camera.screenY(fixture.maxY);
-        double width = camera.screenX(fixture.maxX) - left;
-        double height = camera.screenY(fixture.minY) - top;
-        canvas.frame(left, top, width, height, 0, Color.EDGE);
-    }
-
-    private void drawContact(Canvas canvas, ContactView contact, double step) {
-        double force = contact.impulse / step;
-        double length = Math.min(LONGEST_FORCE_PX, FORCE_LENGTH_PX * Math.sqrt(force));
-        drawAlong(canvas, contact, length, 4, Color.BRASS);
-        drawAlong(canvas, contact, NORMAL_LENGTH_PX, 1.5, Color.BAD);
-        canvas.disc(camera.screenX(contact.x), camera.screenY(contact.y), 3, Color.BAD);
-    }
-
-    private void drawAlong(
-            Canvas canvas, ContactView contact, double length, double width, Color color) {
-        double x = camera.screenX(contact.x);
-        double y = camera.screenY(contact.y);
-        double tipX = x + length * contact.normalX;
-        double tipY = y - length * contact.normalY;
-        canvas.line(x, y, tipX, tipY, width, color);
+        pool.draw(new DebugPen(canvas, camera, step), DebugPen.LAYERS);
     }
 }
