@@ -42,7 +42,7 @@ public final class CutTheRope {
                         Part.of(Polygon.box(0.1, 0.9)).at(-0.45, 0.4),
                         Part.of(Polygon.box(0.1, 0.9)).at(0.45, 0.4),
                         Part.of(Polygon.box(0.7, 0.3)).at(0, 0.25).sensor());
-        pool.add(BodyDefinition.fixed(bucket).at(BUCKET, 0.05));
+        pool.add(BodyDefinition.fixed(bucket).at(BUCKET, 0.05 + bucket.centroidY()));
         return new CutTheRope(pool);
     }
 
