@@ -78,4 +78,21 @@ class LibraryPagesTest {
             assertThat(page).contains("| " + name + " |");
         }
     }
+
+    /** The table of what an accuracy costs is a line of the measured one. */
+    @Test
+    void theCostOfAnAccuracyIsTheMeasuredOne() throws IOException {
+        Page choice = Page.read(DOCS.resolve("choosing-an-accuracy.md"));
+        List<String> errors = choice.row("error, rad");
+        List<String> times = choice.row("time of a step, µs");
+        List<String> cells = new ArrayList<>();
+        for (int i = 0; i < errors.size(); i++) {
+            cells.add(errors.get(i) + " · " + times.get(i) + " µs");
+        }
+        assertThat(Page.read(DOCS.resolve("accuracy.md")).text())
+                .contains(
+                        "| R17 a pendulum that swings 100 times from 90° | "
+                                + String.join(" | ", cells)
+                                + " |");
+    }
 }

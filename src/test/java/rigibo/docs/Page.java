@@ -37,4 +37,14 @@ public record Page(String text) {
                 .filter(sentence -> !sentence.isEmpty())
                 .toList();
     }
+
+    /** The cells of the first row of a table that begins with a word, without that word. */
+    List<String> row(String first) {
+        String row =
+                text.lines()
+                        .filter(line -> line.startsWith("| " + first + " |"))
+                        .findFirst()
+                        .orElseThrow();
+        return Arrays.stream(row.split("\\|")).skip(2).map(String::strip).toList();
+    }
 }
