@@ -9,9 +9,9 @@ import java.util.function.IntConsumer;
 /** Rows of fields, from the top of an area downwards. */
 final class Column {
 
-    static final double ROW = 27;
+    static final double ROW = 26;
 
-    private static final double GAP = 3;
+    private static final double GAP = 2;
     private static final double SIGN = 22;
     private static final double VALUE = 66;
 
