@@ -122,10 +122,10 @@ final class Panes {
             String behind = finding.get().problem().message();
             pane.text(line(inner, 2), behind, Canvas.Align.LEFT, Color.TEXT_DIM);
         } else if (told.isPresent()) {
-            sentence(line(inner, 1), line(inner, 2), told.get());
+            sentence(line(inner, 1), line(inner, 2), told.get(), Color.TEXT);
         } else {
             String keys = pane.words().of("editor.keys." + hint());
-            pane.text(line(inner, 1), keys, Canvas.Align.LEFT, Color.TEXT_DIM);
+            sentence(line(inner, 1), line(inner, 2), keys, Color.TEXT_DIM);
         }
     }
 
@@ -192,14 +192,14 @@ final class Panes {
     }
 
     /** Breaks the text into two lines if it is too long for one. */
-    private void sentence(Area first, Area second, String words) {
+    private void sentence(Area first, Area second, String words, Color ink) {
         double room = first.width() - ROW;
         int end = words.length();
         while (pane.canvas().textWidth(words.substring(0, end), 16, Canvas.Font.WORDS) > room) {
             int space = words.lastIndexOf(' ', end - 1);
             end = space > 0 ? space : end - 1;
         }
-        pane.text(first, words.substring(0, end), Canvas.Align.LEFT, Color.TEXT);
-        pane.text(second, words.substring(end).trim(), Canvas.Align.LEFT, Color.TEXT);
+        pane.text(first, words.substring(0, end), Canvas.Align.LEFT, ink);
+        pane.text(second, words.substring(end).trim(), Canvas.Align.LEFT, ink);
     }
 }

@@ -58,13 +58,20 @@ public final class EffectPane {
         }
     }
 
+    /** Tight where that spares a row. */
     private static List<Area> places(Pane pane, Area area) {
+        List<Area> loose = places(pane, area, 0, GAP);
+        List<Area> tight = places(pane, area, Pane.TIGHTENED, TIGHT_GAP);
+        int last = EFFECTS.size() - 1;
+        return tight.get(last).y() < loose.get(last).y() ? tight : loose;
+    }
+
+    private static List<Area> places(Pane pane, Area area, double tightened, double gap) {
         List<Area> places = new ArrayList<>();
-        double gap = pane.isEnlarged() ? TIGHT_GAP : GAP;
         double x = area.x();
         double y = area.y();
         for (String effect : EFFECTS) {
-            double width = pane.tightWidth(name(pane, effect));
+            double width = pane.width(name(pane, effect)) - tightened;
             if (x + width > area.right()) {
                 x = area.x();
                 y += CHIP + GAP;

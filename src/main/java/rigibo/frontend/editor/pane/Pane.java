@@ -19,8 +19,8 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
     static final double CORNER = 7;
     private static final double PADDING = 8;
 
-    /** What buttons side by side have less beside their names where text is enlarged, px. */
-    private static final double TIGHTENED = 11;
+    /** What buttons side by side have less beside their names where room is scarce, px. */
+    static final double TIGHTENED = 11;
 
     /** Opaque: the world goes on below. */
     private static final Color PLATE = Color.PANEL.alpha(1);
@@ -57,14 +57,9 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
         return canvas.textWidth(name, TEXT, Canvas.Font.WORDS) + 2 * PADDING;
     }
 
-    /** Width of one of several buttons side by side, px. */
+    /** Width of one of several buttons side by side; less where text is enlarged, px. */
     double tightWidth(String name) {
-        return width(name) - (isEnlarged() ? TIGHTENED : 0);
-    }
-
-    /** Whether text is larger than usual, and room is scarce. */
-    boolean isEnlarged() {
-        return canvas.layout().type() > 1;
+        return width(name) - (canvas.layout().type() > 1 ? TIGHTENED : 0);
     }
 
     /** Words within an area, shortened at their end where they are too long. */
