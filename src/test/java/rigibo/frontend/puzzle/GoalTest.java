@@ -58,6 +58,12 @@ class GoalTest {
         assertThat(pole(goal, List.of(box(5.2), box(2.8)))).isBetween(3.0, 5.0);
     }
 
+    @Test
+    void itsFlagStandsEvenOnADraftsGoalThatIsTooNarrow() {
+        Platform narrow = new Platform(4, 1, 0.1, 0.3, 0);
+        assertThat(new Goal(narrow, List.of()).parts().get(1).shape().area()).isPositive();
+    }
+
     /** Where the flag's pole is among bodies, m. */
     private static double pole(Platform goal, List<Part> bodies) {
         return new Goal(goal, bodies).parts().get(0).x();
