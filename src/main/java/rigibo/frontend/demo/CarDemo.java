@@ -24,7 +24,6 @@ import rigibo.frontend.scene.widget.Toggle;
 import rigibo.frontend.scene.widget.Widget;
 
 import java.util.List;
-import java.util.Locale;
 
 /** Joints at work: a car on springs crosses a hill, a bridge and a see-saw. */
 final class CarDemo implements Demo {
@@ -177,8 +176,10 @@ final class CarDemo implements Demo {
                 new Toggle(
                         words.of("car.follow"), () -> isFollowed, () -> isFollowed = !isFollowed),
                 new Button(words.of("car.again"), this::again),
-                new Readout(words.of("car.rear"), () -> pair(rear())),
-                new Readout(words.of("car.front"), () -> pair(front())),
+                new Readout(words.of("car.rear.predicted"), () -> newtons(rear()[0])),
+                new Readout(words.of("car.rear.measured"), () -> newtons(rear()[1])),
+                new Readout(words.of("car.front.predicted"), () -> newtons(front()[0])),
+                new Readout(words.of("car.front.measured"), () -> newtons(front()[1])),
                 new Readout("", () -> Car.FORMULA),
                 new Readout(words.of("car.velocity"), () -> metresPerSecond(car.speed())),
                 new Readout(words.of("car.slip"), () -> metresPerSecond(car.slip())),
@@ -246,9 +247,8 @@ final class CarDemo implements Demo {
         return track;
     }
 
-    private static String pair(double[] predictedAndMeasured) {
-        return String.format(
-                Locale.ROOT, "%.0f %.0f N", predictedAndMeasured[0], predictedAndMeasured[1]);
+    private static String newtons(double load) {
+        return Fixed.words("%.0f N", load);
     }
 
     private static String metresPerSecond(double value) {
@@ -256,7 +256,7 @@ final class CarDemo implements Demo {
     }
 
     private String pull() {
-        return track.isWhole() ? Fixed.words("%.0f N", track.pull()) : NOTHING;
+        return track.isWhole() ? newtons(track.pull()) : NOTHING;
     }
 
     /**

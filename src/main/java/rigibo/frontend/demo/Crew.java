@@ -9,6 +9,7 @@ final class Crew {
 
     final int workers;
     final FrameTimes times = new FrameTimes();
+    private boolean isSearched;
     private int heldDrawn;
     private int heldAlone;
 
@@ -18,6 +19,7 @@ final class Crew {
 
     /** Begins the search for the most bodies anew. */
     void beginSearch() {
+        isSearched = false;
         heldDrawn = 0;
         heldAlone = 0;
         times.forget();
@@ -29,17 +31,23 @@ final class Crew {
         if (!times.isMeasured()) {
             return true;
         }
+        isSearched = true;
         heldDrawn = times.frameHolds() ? bodies : heldDrawn;
         heldAlone = times.stepHolds() ? bodies : heldAlone;
         return times.stepHolds();
     }
 
-    /** The most bodies held with drawing; 0 before a search. */
+    /** Whether a search has measured any number of bodies. */
+    boolean isSearched() {
+        return isSearched;
+    }
+
+    /** The most bodies held with drawing; 0 before a search, and where none were. */
     int heldDrawn() {
         return heldDrawn;
     }
 
-    /** The most bodies held without drawing; 0 before a search. */
+    /** The most bodies held without drawing; 0 before a search, and where none were. */
     int heldAlone() {
         return heldAlone;
     }

@@ -132,7 +132,8 @@ final class Crews {
                 crew -> {
                     int most = bodies.applyAsInt(crew);
                     String dots = isSearching() && crew == present() ? "…" : "";
-                    return most == 0 ? NOT_MEASURED : most + dots;
+                    String none = crew.isSearched() ? words.of("flood.none") : NOT_MEASURED;
+                    return most == 0 ? none : most + dots;
                 });
     }
 

@@ -1,6 +1,5 @@
 package rigibo.frontend.editor;
 
-import rigibo.backend.geometry.Shape;
 import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.desk.Finding;
 import rigibo.frontend.editor.draft.Box;
@@ -14,6 +13,7 @@ import rigibo.frontend.editor.pane.ProblemPane;
 import rigibo.frontend.editor.tool.Outlines;
 import rigibo.frontend.puzzle.Goal;
 import rigibo.frontend.puzzle.JointSketch;
+import rigibo.frontend.puzzle.Part;
 import rigibo.frontend.puzzle.Skins;
 import rigibo.frontend.puzzle.VerbMark;
 import rigibo.frontend.puzzle.level.LevelJoint;
@@ -29,6 +29,7 @@ import tools.jackson.databind.JsonNode;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Draws the draft: its world, its items, the selection and the problems. */
 final class DeskView {
@@ -70,11 +71,15 @@ final class DeskView {
     private void drawItems() {
         Draft draft = desk.draft();
         canvas.gaze(Decimal.read(draft.at("/ball/x"), 0), Decimal.read(draft.at("/ball/y"), 0));
+        List<Part> bodies =
+                draft.items().stream()
+                        .filter(item -> item.kind() == Item.Kind.BODY)
+                        .flatMap(item -> part(item).stream())
+                        .toList();
         for (Item item : draft.items()) {
-            item.form()
-                    .shape()
+            part(item)
                     .ifPresentOrElse(
-                            shape -> drawItem(item, shape),
+                            part -> drawItem(item, part, bodies),
                             () -> Outlines.draw(canvas, camera, item, skin(item).color));
         }
     }
@@ -83,13 +88,19 @@ final class DeskView {
         return Skins.of(item.substance());
     }
 
-    private void drawItem(Item item, Shape shape) {
-        double angle = Math.toRadians(item.degrees());
+    private static Optional<Part> part(Item item) {
         Point at = item.toWorld(item.form().centre());
+        double angle = Math.toRadians(item.degrees());
+        return item.form().shape().map(shape -> new Part(shape, at.x(), at.y(), angle, skin(item)));
+    }
+
+    private void drawItem(Item item, Part part, List<Part> bodies) {
         if (item.form() instanceof Box box && item.kind() == Item.Kind.PLATFORM) {
-            Goal.draw(canvas, new Platform(at.x(), at.y(), box.width(), box.height(), angle));
+            Platform goal =
+                    new Platform(part.x(), part.y(), box.width(), box.height(), part.angle());
+            new Goal(goal, bodies).draw(canvas);
         } else {
-            canvas.body(shape, at.x(), at.y(), angle, skin(item), Canvas.Mood.PLAIN);
+            part.draw(canvas);
         }
     }
 

@@ -11,7 +11,6 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
-import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
@@ -185,12 +184,6 @@ final class EditorScene implements Scene {
     @Override
     public boolean isTyping() {
         return played().map(Scene::isTyping).orElseGet(shop.typing()::isOn);
-    }
-
-    /** Its panes are as full as a small window leaves them. */
-    @Override
-    public double mostType() {
-        return 1 / Layout.LEAST_SCALE;
     }
 
     @Override

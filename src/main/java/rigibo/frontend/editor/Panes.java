@@ -27,27 +27,42 @@ final class Panes {
 
     private static final double ROW = 22;
 
+    /** Of the plates at the top and at the foot, px. */
+    private static final double MARGIN = 7;
+
     /** Radius of the ring around what a problem concerns, px. */
     private static final double RING = 22;
 
-    /** Height of two rows of chips, px. */
-    private static final double CHIPS = 58;
+    /** Below the chips of the effects, px. */
+    private static final double GAP = 3;
+
+    /** Height of the lines below the chips with what is around them, px. */
+    private static final double LINES = 79;
 
     private final Workshop shop;
     private final Pane pane;
     private final List<Finding> findings;
+
+    /** The foot, and how much higher it is than usual: as the chips of the effects need, px. */
+    private final Area foot;
+
+    private final double risen;
     private Optional<Finding> pointedAt = Optional.empty();
 
     private Panes(Workshop shop, Pane pane, List<Finding> findings) {
         this.shop = shop;
         this.pane = pane;
         this.findings = findings;
+        double chips = EffectPane.height(pane, View.FOOT.inset(MARGIN));
+        risen = chips + LINES - View.FOOT.height();
+        foot = View.FOOT.raised(risen);
     }
 
     static void draw(Workshop shop, Pane pane, List<Finding> findings) {
         Panes panes = new Panes(shop, pane, findings);
         panes.top();
-        ToolPane.draw(pane, View.TOOLS, shop.desk(), shop.craft(), shop::take);
+        ToolPane.draw(
+                pane, View.TOOLS.shortened(panes.risen), shop.desk(), shop.craft(), shop::take);
         FieldPane.draw(pane, View.FIELDS, shop.desk(), shop.typing());
         panes.problems();
         panes.foot();
@@ -55,7 +70,9 @@ final class Panes {
     }
 
     private void problems() {
-        pointedAt = ProblemPane.draw(pane, View.PROBLEMS, findings, shop.desk()::choose);
+        pointedAt =
+                ProblemPane.draw(
+                        pane, View.PROBLEMS.shortened(risen), findings, shop.desk()::choose);
         pointedAt
                 .flatMap(finding -> shop.desk().draft().item(finding.item()))
                 .ifPresent(item -> pointAt(item.toWorld(item.form().centre())));
@@ -72,7 +89,7 @@ final class Panes {
 
     private void top() {
         pane.plate(View.TOP);
-        Bar bar = new Bar(pane, View.TOP.inset(7));
+        Bar bar = new Bar(pane, View.TOP.inset(MARGIN));
         bar.button("undo", shop.desk().history().canUndo(), shop::undo);
         bar.button("redo", shop.desk().history().canRedo(), shop::redo);
         bar.button("new", true, shop::beginNew);
@@ -93,8 +110,8 @@ final class Panes {
     }
 
     private void foot() {
-        pane.plate(View.FOOT);
-        Area inner = View.FOOT.inset(7);
+        pane.plate(foot);
+        Area inner = foot.inset(MARGIN);
         EffectPane.draw(pane, inner, shop.desk());
         status(line(inner, 0));
         Optional<Finding> finding = pointedAt.or(this::findingUnderPointer);
@@ -105,15 +122,16 @@ final class Panes {
             String behind = finding.get().problem().message();
             pane.text(line(inner, 2), behind, Canvas.Align.LEFT, Color.TEXT_DIM);
         } else if (told.isPresent()) {
-            sentence(line(inner, 1), line(inner, 2), told.get());
+            sentence(line(inner, 1), line(inner, 2), told.get(), Color.TEXT);
         } else {
             String keys = pane.words().of("editor.keys." + hint());
-            pane.text(line(inner, 1), keys, Canvas.Align.LEFT, Color.TEXT_DIM);
+            sentence(line(inner, 1), line(inner, 2), keys, Color.TEXT_DIM);
         }
     }
 
-    private static Area line(Area inner, int i) {
-        return new Area(inner.x(), inner.y() + CHIPS + i * ROW, inner.width(), ROW);
+    private Area line(Area inner, int i) {
+        double top = inner.y() + EffectPane.height(pane, inner) + GAP;
+        return new Area(inner.x(), top + i * ROW, inner.width(), ROW);
     }
 
     /** Shows a question to the author, or the last action. */
@@ -174,14 +192,14 @@ final class Panes {
     }
 
     /** Breaks the text into two lines if it is too long for one. */
-    private void sentence(Area first, Area second, String words) {
+    private void sentence(Area first, Area second, String words, Color ink) {
         double room = first.width() - ROW;
         int end = words.length();
         while (pane.canvas().textWidth(words.substring(0, end), 16, Canvas.Font.WORDS) > room) {
             int space = words.lastIndexOf(' ', end - 1);
             end = space > 0 ? space : end - 1;
         }
-        pane.text(first, words.substring(0, end), Canvas.Align.LEFT, Color.TEXT);
-        pane.text(second, words.substring(end).trim(), Canvas.Align.LEFT, Color.TEXT);
+        pane.text(first, words.substring(0, end), Canvas.Align.LEFT, ink);
+        pane.text(second, words.substring(end).trim(), Canvas.Align.LEFT, ink);
     }
 }

@@ -19,8 +19,10 @@ final class GraphPlate {
     private static final double LINE = 24;
     private static final double SIZE = 16;
 
-    /** For the numbers of the scale, px. */
+    /** Least room for the numbers of the scale, and what is around them, px. */
     private static final double MARGIN = 104;
+
+    private static final double ASIDE = 8;
 
     /** Steps that are shown: 10 s. */
     private static final int SHOWN = 600;
@@ -94,9 +96,10 @@ final class GraphPlate {
             }
         }
         double room = Math.max(most - least, Double.MIN_NORMAL);
-        scale(canvas, number(most), graph, graph.y() + LINE / 2);
-        scale(canvas, number(least), graph, graph.bottom() - LINE / 2);
-        double span = (graph.width() - MARGIN - 6) * (count - 1) / (SHOWN - 1);
+        double margin = Math.max(margin(canvas, number(most)), margin(canvas, number(least)));
+        scale(canvas, number(most), graph.x() + margin, graph.y() + LINE / 2);
+        scale(canvas, number(least), graph.x() + margin, graph.bottom() - LINE / 2);
+        double span = (graph.width() - margin - 6) * (count - 1) / (SHOWN - 1);
         for (Log.Side side : Log.Side.values()) {
             for (int i = 0; i < count; i++) {
                 double share = (log.value(quantity, side, first + i) - least) / room;
@@ -104,14 +107,18 @@ final class GraphPlate {
                 heights[i] = 0.02 + 0.96 * share;
             }
             Color ink = side == Log.Side.LEFT ? LEFT : RIGHT;
-            canvas.graph(heights, count, graph.x() + MARGIN, graph.y(), span, graph.height(), ink);
+            canvas.graph(heights, count, graph.x() + margin, graph.y(), span, graph.height(), ink);
         }
     }
 
-    private static void scale(Canvas canvas, String told, Plate graph, double y) {
+    private static double margin(Canvas canvas, String told) {
+        return Math.max(MARGIN, canvas.textWidth(told, SIZE, Canvas.Font.NUMBERS) + 2 * ASIDE);
+    }
+
+    private static void scale(Canvas canvas, String told, double right, double y) {
         canvas.text(
                 told,
-                graph.x() + MARGIN - 8,
+                right - ASIDE,
                 y,
                 SIZE,
                 Canvas.Font.NUMBERS,

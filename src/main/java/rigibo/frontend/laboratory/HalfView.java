@@ -31,6 +31,15 @@ final class HalfView {
 
     private static final double SWITCH_WIDTH = 132;
     private static final double SWITCH_HEIGHT = 30;
+
+    /** Before the name on the switch and after its last dot, and between name and dots, px. */
+    private static final double INSET = 14;
+
+    private static final double BESIDE = 9;
+
+    /** Between two dots, as far as the name leaves room, px. */
+    private static final double DOTS = 14;
+
     private static final double PADDING = 8;
     private static final double SIZE = 16;
 
@@ -60,7 +69,7 @@ final class HalfView {
         double upper = y + PADDING + SWITCH_HEIGHT / 2;
         double lower = y + PLATE_HEIGHT - 15;
         double right = x + WIDTH - PADDING - 4;
-        number(canvas, words.of("laboratory.step", millis()), right, upper);
+        number(canvas, words.of("laboratory.step", millis(canvas.layout())), right, upper);
         words(
                 canvas,
                 words.of("fold.energy"),
@@ -88,10 +97,14 @@ final class HalfView {
         Color plate = isHot ? Color.BRASS.alpha(0.8) : Color.BRASS;
         canvas.panel(left, top, SWITCH_WIDTH, SWITCH_HEIGHT, SWITCH_HEIGHT / 2, plate);
         double middle = top + SWITCH_HEIGHT / 2;
-        words(canvas, name(), left + 14, middle, Canvas.Align.LEFT, Color.DUSK_TOP);
+        words(canvas, name(), left + INSET, middle, Canvas.Align.LEFT, Color.DUSK_TOP);
+        double end = left + INSET + canvas.textWidth(name(), SIZE, Canvas.Font.WORDS);
+        double last = left + SWITCH_WIDTH - INSET;
+        int between = Preset.values().length - 1;
+        double pitch = Math.min(DOTS, (last - end - BESIDE) / between);
         for (Preset preset : Preset.values()) {
             boolean isLit = preset == half.preset() && !half.isOwn();
-            double dot = left + SWITCH_WIDTH - 56 + 14 * preset.ordinal();
+            double dot = last - pitch * (between - preset.ordinal());
             Color color = isLit ? Color.DUSK_TOP : Color.DUSK_TOP.alpha(0.3);
             canvas.disc(dot, middle, isLit ? 5 : 4, color);
         }
@@ -102,8 +115,9 @@ final class HalfView {
         return half.isOwn() ? words.of("laboratory.own") : half.preset().name();
     }
 
-    private String millis() {
-        return String.format(Locale.ROOT, "%.3f ms", half.medianMillis());
+    private String millis(Layout layout) {
+        String digits = layout.type() > 1.2 ? "%.2f ms" : "%.3f ms";
+        return String.format(Locale.ROOT, digits, half.medianMillis());
     }
 
     /** With as many digits as there is room for beside its name. */

@@ -5,7 +5,6 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
-import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
@@ -236,12 +235,6 @@ final class LaboratoryScene implements Scene {
     @Override
     public void pointerReleased(PointerButton button, double x, double y) {
         expert.pointerReleased();
-    }
-
-    /** Eight drawers and the numbers beside a graph are as wide as a small window lets them be. */
-    @Override
-    public double mostType() {
-        return 1 / Layout.LEAST_SCALE;
     }
 
     @Override

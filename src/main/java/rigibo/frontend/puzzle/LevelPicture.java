@@ -53,17 +53,8 @@ final class LevelPicture implements SceneEntry.Picture {
         first = level.balls().get(0);
         joints = level.joints();
         water = level.world().waterLevel();
-        parts.addAll(Goal.parts(level.platform()));
-        level.bodies()
-                .forEach(
-                        body ->
-                                parts.add(
-                                        new Part(
-                                                body.shape(),
-                                                body.x(),
-                                                body.y(),
-                                                body.angle(),
-                                                Skins.of(body.substance()))));
+        parts.addAll(Goal.of(level).parts());
+        level.bodies().forEach(body -> parts.add(Part.of(body)));
         for (Ball ball : level.balls()) {
             parts.add(new Part(new Circle(ball.radius()), ball.x(), ball.y(), 0, Skin.BALL));
         }

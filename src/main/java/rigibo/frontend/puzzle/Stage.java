@@ -52,12 +52,14 @@ final class Stage {
     private final Session session;
     private final Camera camera;
     private final Marks marks;
+    private final Goal goal;
     private final Aabb bounds = new Aabb();
 
     Stage(Session session, Camera camera) {
         this.session = session;
         this.camera = camera;
         marks = new Marks(session, camera);
+        goal = Goal.of(session.game().level());
     }
 
     /** Draws all bodies and joints; what is under the pointer is lifted if it can be clicked. */
@@ -66,7 +68,7 @@ final class Stage {
         Pose ball = session.pose(game.balls().get(0));
         canvas.camera(camera);
         canvas.gaze(ball.x(), ball.y());
-        Goal.draw(canvas, game.level().platform());
+        goal.draw(canvas);
         for (Piece piece : game.pieces()) {
             if (piece.body().isAlive()) {
                 boolean isMeant = piece.isClickable() && meant.filter(piece::equals).isPresent();

@@ -33,6 +33,7 @@ class WorkersInFloodTest {
         final FloodDemo demo;
         final Workbench bench;
         final List<Widget> widgets;
+        int heldByOne = HELD_BY_ONE;
         long now;
 
         Running(int processors) {
@@ -69,7 +70,7 @@ class WorkersInFloodTest {
         }
 
         private long tick() {
-            double share = bench.pool().bodies().size() / (double) HELD_BY_ONE;
+            double share = bench.pool().bodies().size() / (double) heldByOne;
             now += (long) (share / bench.pool().workers() * FrameTimes.BUDGET_MILLIS * 1e6 / 8);
             return now;
         }
@@ -140,6 +141,20 @@ class WorkersInFloodTest {
         assertThat(Integer.parseInt(held[0])).isPositive();
         assertThat(Integer.parseInt(held[1]) / Double.parseDouble(held[0])).isBetween(1.5, 2.5);
         assertThat(flood.bench.pool().workers()).isEqualTo(2);
+        flood.bench.close();
+    }
+
+    @Test
+    void searchSaysWhereNoNumberOfBodiesIsHeld() {
+        Running flood = new Running(1);
+        flood.timeByBodies();
+        flood.heldByOne = 1;
+        assertThat(flood.told("60 Hz, physics")).isEqualTo("–");
+        flood.find(Button.class).action().run();
+        for (int step = 0; step < MOST_STEPS && flood.told("60 Hz, physics").equals("–"); step++) {
+            flood.step();
+        }
+        assertThat(flood.told("60 Hz, physics")).isEqualTo("none");
         flood.bench.close();
     }
 

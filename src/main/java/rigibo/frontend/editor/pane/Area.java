@@ -27,6 +27,16 @@ public record Area(double x, double y, double width, double height) {
         return y + height / 2;
     }
 
+    /** Returns this area with its upper edge so much higher, px. */
+    public Area raised(double by) {
+        return new Area(x, y - by, width, height + by);
+    }
+
+    /** Returns this area with its lower edge so much higher, px. */
+    public Area shortened(double by) {
+        return new Area(x, y, width, height - by);
+    }
+
     /** Returns this area reduced by a margin on every side, px. */
     public Area inset(double by) {
         return new Area(x + by, y + by, width - 2 * by, height - 2 * by);

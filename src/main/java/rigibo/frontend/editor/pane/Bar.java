@@ -29,7 +29,7 @@ public final class Bar {
     /** The next button; dimmed where there is nothing to do. */
     public void button(String key, boolean isBright, Runnable action) {
         String name = pane.words().of("editor." + key);
-        double width = pane.width(name);
+        double width = pane.tightWidth(name);
         Area place = new Area(x, area.y(), width, area.height());
         Color plate = isBright ? Color.PANEL_LIT : Color.DUSK_TOP;
         pane.button(place, name, plate, pane.words().of("editor." + key + ".told"), action);

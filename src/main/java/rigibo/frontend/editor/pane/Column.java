@@ -2,6 +2,7 @@ package rigibo.frontend.editor.pane;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.widget.Spread;
 
 import java.util.List;
 import java.util.function.IntConsumer;
@@ -9,9 +10,9 @@ import java.util.function.IntConsumer;
 /** Rows of fields, from the top of an area downwards. */
 final class Column {
 
-    static final double ROW = 27;
+    static final double ROW = 26;
 
-    private static final double GAP = 3;
+    private static final double GAP = 2;
     private static final double SIGN = 22;
     private static final double VALUE = 66;
 
@@ -34,10 +35,12 @@ final class Column {
     /** Names side by side, one of which is open. */
     void tabs(List<String> names, int open, IntConsumer turn) {
         Area row = row();
-        double width = (row.width() - (names.size() - 1) * GAP) / names.size();
+        double[] ends = Spread.ends(pane.canvas(), names, Pane.TEXT, row.width() + GAP);
         for (int i = 0; i < names.size(); i++) {
             int at = i;
-            Area tab = new Area(row.x() + i * (width + GAP), row.y(), width, row.height());
+            double left = i == 0 ? 0 : ends[i - 1];
+            double width = ends[i] - left - GAP;
+            Area tab = new Area(row.x() + left, row.y(), width, row.height());
             Color plate = i == open ? Color.BRASS : Color.PANEL_LIT;
             pane.button(tab, names.get(i), plate, "", () -> turn.accept(at));
         }

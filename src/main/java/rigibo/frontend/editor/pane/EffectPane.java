@@ -4,6 +4,7 @@ import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.draft.EffectUse;
 import rigibo.frontend.scene.Color;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** The effects as chips, bright where declared; a press declares an effect or removes it. */
@@ -12,9 +13,6 @@ public final class EffectPane {
     private static final double CHIP = 25;
     private static final double GAP = 5;
     private static final double TIGHT_GAP = 3;
-
-    /** What a tight chip has less beside its name, px. */
-    private static final double TIGHTENED = 11;
 
     /** What a level may declare, what is common first. */
     private static final List<String> EFFECTS =
@@ -36,30 +34,55 @@ public final class EffectPane {
 
     private EffectPane() {}
 
+    /** Height of the rows that it takes in an area, px; two at least. */
+    public static double height(Pane pane, Area area) {
+        List<Area> places = places(pane, area);
+        double bottom = places.get(places.size() - 1).y() + CHIP;
+        return Math.max(2 * CHIP + GAP, bottom - area.y());
+    }
+
     /** Draws it in as many rows as it takes. */
     public static void draw(Pane pane, Area area, Desk desk) {
         List<String> declared = EffectUse.declared(desk.draft());
-        // Where text is enlarged, two rows are still all there is room for.
-        boolean isTight = pane.canvas().layout().type() > 1;
-        double tightened = isTight ? TIGHTENED : 0;
-        double gap = isTight ? TIGHT_GAP : GAP;
-        double x = area.x();
-        double y = area.y();
-        for (String effect : EFFECTS) {
-            String name = pane.words().of("editor.effect." + effect);
-            double width = pane.width(name) - tightened;
-            if (x + width > area.right()) {
-                x = area.x();
-                y += CHIP + GAP;
-            }
+        List<Area> places = places(pane, area);
+        for (int i = 0; i < places.size(); i++) {
+            String effect = EFFECTS.get(i);
+            String name = name(pane, effect);
             boolean isDeclared = declared.contains(effect);
             pane.button(
-                    new Area(x, y, width, CHIP),
+                    places.get(i),
                     name,
                     isDeclared ? Color.BRASS : Color.PANEL_LIT,
                     pane.words().of(isDeclared ? "editor.declared" : "editor.undeclared", name),
                     () -> desk.change(EffectUse.switched(desk.draft(), effect)));
+        }
+    }
+
+    /** Tight where that spares a row. */
+    private static List<Area> places(Pane pane, Area area) {
+        List<Area> loose = places(pane, area, 0, GAP);
+        List<Area> tight = places(pane, area, Pane.TIGHTENED, TIGHT_GAP);
+        int last = EFFECTS.size() - 1;
+        return tight.get(last).y() < loose.get(last).y() ? tight : loose;
+    }
+
+    private static List<Area> places(Pane pane, Area area, double tightened, double gap) {
+        List<Area> places = new ArrayList<>();
+        double x = area.x();
+        double y = area.y();
+        for (String effect : EFFECTS) {
+            double width = pane.width(name(pane, effect)) - tightened;
+            if (x + width > area.right()) {
+                x = area.x();
+                y += CHIP + GAP;
+            }
+            places.add(new Area(x, y, width, CHIP));
             x += width + gap;
         }
+        return places;
+    }
+
+    private static String name(Pane pane, String effect) {
+        return pane.words().of("editor.effect." + effect);
     }
 }

@@ -19,6 +19,9 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
     static final double CORNER = 7;
     private static final double PADDING = 8;
 
+    /** What buttons side by side have less beside their names where room is scarce, px. */
+    static final double TIGHTENED = 11;
+
     /** Opaque: the world goes on below. */
     private static final Color PLATE = Color.PANEL.alpha(1);
 
@@ -36,17 +39,27 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
     public void button(Area area, String name, Color plate, String told, Runnable action) {
         Color lit = isHot(area) ? Color.EDGE : plate;
         canvas.panel(area.x(), area.y(), area.width(), area.height(), CORNER, lit);
-        text(
-                area,
-                name,
+        Color ink = lit.equals(Color.BRASS) ? Color.DUSK_TOP : Color.TEXT;
+        String fitting = fitted(name, area.width(), Canvas.Font.WORDS);
+        canvas.text(
+                fitting,
+                area.middleX(),
+                area.middleY(),
+                TEXT,
+                Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,
-                lit.equals(Color.BRASS) ? Color.DUSK_TOP : Color.TEXT);
+                ink);
         spots.add(area, told, action);
     }
 
-    /** Width of a button that a name fits on, px. */
+    /** Width of an area that words fit on, px. */
     double width(String name) {
         return canvas.textWidth(name, TEXT, Canvas.Font.WORDS) + 2 * PADDING;
+    }
+
+    /** Width of one of several buttons side by side; less where text is enlarged, px. */
+    double tightWidth(String name) {
+        return width(name) - (canvas.layout().type() > 1 ? TIGHTENED : 0);
     }
 
     /** Words within an area, shortened at their end where they are too long. */

@@ -3,6 +3,7 @@ package rigibo.frontend.editor.pane;
 import rigibo.frontend.editor.desk.Finding;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Sign;
 
 import java.util.List;
@@ -29,12 +30,12 @@ public final class ProblemPane {
         int rows = (int) (inner.height() / ROW) - 1;
         boolean fits = findings.size() <= rows;
         int shown = fits ? findings.size() : rows - 1;
-        String heading =
-                findings.isEmpty()
-                        ? pane.words().of("editor.sound")
-                        : pane.words().of("editor.problems", findings.size());
-        Color ink = findings.isEmpty() ? Color.GOOD : Color.BRASS;
-        pane.text(row(inner, 0), heading, Canvas.Align.LEFT, ink);
+        if (findings.isEmpty()) {
+            sound(pane, inner);
+            return Optional.empty();
+        }
+        String heading = pane.words().of("editor.problems", findings.size());
+        pane.text(row(inner, 0), heading, Canvas.Align.LEFT, Color.BRASS);
         for (int i = 0; i < shown; i++) {
             row(pane, row(inner, i + 1), findings.get(i), choose);
         }
@@ -46,6 +47,19 @@ public final class ProblemPane {
                 .filter(i -> pane.isHot(row(inner, i + 1)))
                 .mapToObj(findings::get)
                 .findFirst();
+    }
+
+    private static void sound(Pane pane, Area inner) {
+        List<String> lines =
+                Lines.of(
+                        pane.canvas(),
+                        pane.words().of("editor.sound"),
+                        Pane.TEXT,
+                        Canvas.Font.WORDS,
+                        inner.width() - ROW / 2);
+        for (int i = 0; i < lines.size(); i++) {
+            pane.text(row(inner, i), lines.get(i), Canvas.Align.LEFT, Color.GOOD);
+        }
     }
 
     private static Area row(Area inner, int i) {

@@ -3,24 +3,32 @@ package rigibo.frontend.scene.accuracy;
 import rigibo.backend.Pool;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.widget.Spread;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
-/** The four presets side by side; that of the pool is lit. */
+/** The four presets side by side, with the same room around each name; that of the pool is lit. */
 public final class Dial {
 
     /** px. */
     public static final double HEIGHT = 26;
 
-    /** Width of a position with text of its usual size, px. */
-    private static final double SEGMENT = 56;
+    private static final List<String> NAMES =
+            Arrays.stream(Preset.values()).map(Preset::name).toList();
 
-    private static final int NONE = -1;
+    private static final double SIZE = 16;
+
+    /** Mean width of a position with text of its usual size, px. */
+    private static final double SEGMENT = 56;
 
     private final Pool pool;
     private double x;
     private double y;
-    private double segment;
+
+    /** Where each position ends, px from the left; nowhere until it is drawn. */
+    private double[] ends = new double[NAMES.size()];
 
     /** A dial of a pool. */
     public Dial(Pool pool) {
@@ -36,14 +44,18 @@ public final class Dial {
     public void draw(Canvas canvas, double left, double top) {
         x = left;
         y = top;
-        segment = SEGMENT * canvas.layout().type();
-        canvas.panel(x, y, Preset.values().length * segment, HEIGHT, 8, Color.PANEL_LIT);
+        double width = width(canvas.layout().type());
+        ends = Spread.ends(canvas, NAMES, SIZE, width);
+        canvas.panel(x, y, width, HEIGHT, 8, Color.PANEL_LIT);
+        double from = 0;
         for (Preset preset : Preset.values()) {
-            draw(canvas, preset, x + preset.ordinal() * segment);
+            double end = ends[preset.ordinal()];
+            draw(canvas, preset, x + from, end - from);
+            from = end;
         }
     }
 
-    private void draw(Canvas canvas, Preset preset, double from) {
+    private void draw(Canvas canvas, Preset preset, double from, double segment) {
         boolean isLit = pool.accuracy().equals(preset.accuracy());
         if (isLit) {
             canvas.panel(from, y, segment, HEIGHT, 8, Color.BRASS);
@@ -52,7 +64,7 @@ public final class Dial {
                 preset.name(),
                 from + segment / 2,
                 y + HEIGHT / 2,
-                16,
+                SIZE,
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,
                 isLit ? Color.DUSK_TOP : Color.TEXT_DIM);
@@ -60,15 +72,15 @@ public final class Dial {
 
     /** Has no position until it is drawn again. */
     void hide() {
-        segment = 0;
+        Arrays.fill(ends, 0);
     }
 
     /** The position under a point, px. */
     public Optional<Preset> at(double px, double py) {
-        int position = segment > 0 ? (int) Math.floor((px - x) / segment) : NONE;
-        boolean isInside =
-                position >= 0 && position < Preset.values().length && py >= y && py < y + HEIGHT;
-        return isInside ? Optional.of(Preset.values()[position]) : Optional.empty();
+        boolean isBeside = px < x || py < y || py >= y + HEIGHT;
+        return Arrays.stream(Preset.values())
+                .filter(preset -> !isBeside && px < x + ends[preset.ordinal()])
+                .findFirst();
     }
 
     /** Sets the pool's accuracy; its state stays as it is. Call between steps. */

@@ -16,7 +16,8 @@ public final class DistanceCurve {
     /** Around the words of the scale, px. */
     private static final double ASIDE = 6;
 
-    private static final double LEAST_BETWEEN_LABELS = 20;
+    /** From one label to the next at least, in heights of their letters. */
+    private static final double LINE = 1.25;
 
     private final double[] heights = new double[Divergence.KEPT];
 
@@ -25,12 +26,14 @@ public final class DistanceCurve {
             Canvas canvas, Divergence divergence, double x, double y, double width, double height) {
         canvas.panel(x, y, width, height, 8, Color.DUSK_TOP.alpha(0.8));
         double decade = height / (HIGHEST - LOWEST);
+        double margin = margin(canvas);
+        double letters = canvas.layout().textSize(SIZE);
+        double half = letters / 2;
         int apart = 3;
-        while (apart * decade < LEAST_BETWEEN_LABELS) {
+        // The uppermost label may be lower than its line, so that it is not cut.
+        while ((1 + apart) * decade - Math.max(decade, half) < LINE * letters) {
             apart += 3;
         }
-        double margin = margin(canvas);
-        double half = canvas.layout().textSize(SIZE) / 2;
         for (int power = 0; power > LOWEST; power -= apart) {
             double at = y + (HIGHEST - power) * decade;
             double middle = Math.max(y + half, Math.min(y + height - half, at));
