@@ -186,7 +186,8 @@ public final class Rounds {
         double moving = ofPasses * timesOfPasses();
         boolean isSteady = isCalm || areContactsSteady(STEADY * gained);
         double ofContact = isSteady ? Math.max(worthIfCalm, moving) : moving;
-        return isDirect && direct.prepare(Math.max(LEAST_WORTH, ofContact * contacts.count));
+        double worth = Math.max(LEAST_WORTH, ofContact * contacts.count);
+        return isDirect && direct.prepare(worth, this.isCalm, gained);
     }
 
     /**
@@ -309,9 +310,9 @@ public final class Rounds {
                 left = last;
             }
             halfway.begin();
-            isNewton = i >= newtonFrom && direct.solveByNewton(h, substep, settled, isCalm);
+            isNewton = i >= newtonFrom && direct.solveByNewton(h, substep, settled);
             if (!isNewton) {
-                direct.solve(h, substep, settled, isCalm);
+                direct.solve(h, substep, settled);
                 if (isNoNearer) {
                     halfway.end();
                 }

@@ -71,13 +71,16 @@ final class Bystanders {
     }
 
     /**
-     * Computes the reach of both bodies when a flyer strikes a pile: {@link #reachOfA} and {@link
-     * #reachOfB}. The carriers of the pile move at (u, v), m/s, and the impact is resolved in their
-     * frame.
+     * Computes the reach of both bodies when a flyer strikes a body of a pile: {@link #reachOfA}
+     * and {@link #reachOfB}. The impact is resolved in the frame of the pile's body, so that speeds
+     * do not depend on what carries the pile.
      *
+     * @param isPileA whether body A is the pile's
      * @param left rest of the step, s
      */
-    void measureImpact(int a, int b, Impact impact, double u, double v, double left) {
+    void measureImpact(int a, int b, Impact impact, boolean isPileA, double left) {
+        double u = isPileA ? impact.velocityAX : impact.velocityBX;
+        double v = isPileA ? impact.velocityAY : impact.velocityBY;
         impact.velocityAX -= u;
         impact.velocityAY -= v;
         impact.velocityBX -= u;

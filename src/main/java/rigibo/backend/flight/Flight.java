@@ -49,7 +49,6 @@ public final class Flight {
     private final FlightImpacts impacts;
     private final Bystanders bystanders;
     private final Disturbance disturbance;
-    private final Carriers carriers;
     private final Followers followers;
     private final ExpectedHits expectedHits;
 
@@ -91,7 +90,6 @@ public final class Flight {
         impacts = new FlightImpacts(data, narrowphase, accuracy, paths, course);
         bystanders =
                 new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
-        carriers = new Carriers(data);
         expectedHits = new ExpectedHits(data, paths);
         disturbance = new Disturbance(data, paths, bystanders, this::join);
         followers = new Followers(data, paths, bystanders, expectedHits, this::join, accuracy);
@@ -107,7 +105,6 @@ public final class Flight {
         queue.clear(pairs.bodyA.length);
         reserve();
         disturbance.begin();
-        carriers.begin();
         for (int i = 0; i < pairs.activeCount; i++) {
             // The edge of a chain has no points until a body is above it.
             int pair = pairs.active[i];
@@ -129,7 +126,6 @@ public final class Flight {
     /** Makes a bystander part of a pile. */
     private void join(int flyer, int pileBody, double time, double dt) {
         impacts.bring(flyer, time);
-        carriers.join(flyer, pileBody);
         paths.land(flyer, time);
         repredict(flyer, time, dt);
         for (int p = bodies.firstPair[flyer]; p != Pairs.NONE; p = pairs.nextOf(p, flyer)) {
@@ -305,20 +301,13 @@ public final class Flight {
         if (!bodies.awake[pileBody]) {
             waking.wakeIntoPile(pileBody);
         }
-        carriers.join(flyer, pileBody);
         paths.landEarlier(pileBody, time);
         paths.land(flyer, time);
         Impact impact = impacts.expectedImpact(pair);
         impacts.foretell(pair, impact, time);
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        bystanders.measureImpact(
-                a,
-                b,
-                impact,
-                carriers.velocityX(pileBody),
-                carriers.velocityY(pileBody),
-                dt - time);
+        bystanders.measureImpact(a, b, impact, a == pileBody, dt - time);
         impacts.expectRebound(pair, flyer);
         pairs.impacts[pair] += impacts.touches(pair) ? 1 : 0;
         repredict(flyer, time, dt);

@@ -36,8 +36,8 @@ final class MovingFloor implements HardCase {
 
     @Override
     public String finding() {
-        return "Boxes that lie side by side share loads in more ways than one, and round-off"
-                + " chooses among them: a heap that only lies elsewhere may settle in another way.";
+        return "Storeys of a regular pyramid land at the same time, and from one impact to the next"
+                + " round-off can choose which of two equal ones is an impact at all.";
     }
 
     @Override

@@ -279,9 +279,10 @@ final class PairwiseImpacts {
         for (int point = 0; point < contacts.points[row]; point++) {
             if (meets(row, point, h)) {
                 double speed = -motions.parting(contacts, row, point);
-                double when =
-                        speed > 0 ? Math.max(0, motions.gap(contacts, row, point)) / speed : h;
-                time = Math.min(time, when);
+                if (speed > ROUND_OFF) {
+                    double gap = Math.max(0, motions.gap(contacts, row, point));
+                    time = Math.min(time, gap / speed);
+                }
             }
         }
         return time;

@@ -3,10 +3,8 @@ package rigibo.backend.contact.solve;
 import static rigibo.backend.contact.solve.FlatRows.KINDS;
 import static rigibo.backend.contact.solve.FlatRows.TANGENT;
 
-import rigibo.backend.contact.row.Displacement;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.storage.KeptOverlap;
 
 import java.util.Arrays;
 
@@ -64,8 +62,13 @@ public final class DirectSolver {
     /** Speed in m/s below which the load that causes it counts as none. */
     private double least;
 
-    /** Displacements by the removal of overlap. */
-    private final Displacement way;
+    private final HeldOverlap held;
+
+    /** Speed in m/s that a free body gains in the step. */
+    private double free;
+
+    /** Whether to find the impulses nearest to the present ones. */
+    private boolean isNearby;
 
     /** A solver whose number of tries grows with the number of substeps. */
     public DirectSolver(
@@ -73,19 +76,27 @@ public final class DirectSolver {
         this.motions = motions;
         this.contacts = contacts;
         this.overlap = overlap;
-        way = new Displacement(motions);
         order = new ContactOrder(motions, contacts);
         rows = new FlatRows(motions, contacts, order);
         factor = new RowFactor(contacts, rows, order);
         newton = new NewtonSolver(motions, contacts, order, rows, factor);
+        held = new HeldOverlap(motions, contacts, overlap, order, rows);
         mostTries = TRIES_PER_SUBSTEP * substeps;
     }
 
     /**
      * Prepares the packed island. Returns false if it is too large, or if factoring all of its rows
      * takes more multiplications than the budget of a substep.
+     *
+     * @param isNearby whether to find the impulses nearest to the present ones rather than the
+     *     smallest ones. The smallest may be far away, beyond a cone or a pull, so that a heap at
+     *     rest would be taken apart on the way to them. It must be false for a squeezed body, whose
+     *     impulses would grow for as long as the squeezing lasts.
+     * @param gained speed that a free body gains in the step, m/s
      */
-    public boolean prepare(double worthOfSubstep) {
+    public boolean prepare(double worthOfSubstep, boolean isNearby, double gained) {
+        this.isNearby = isNearby;
+        free = gained;
         if (contacts.areCrowd()) {
             return false;
         }
@@ -127,15 +138,10 @@ public final class DirectSolver {
      * Solves the rows for a substep of h seconds, to a residual of {@code settled} m/s. A point
      * that is about to lose its load keeps its impulse here; the pass before each round takes it
      * away.
-     *
-     * @param isNearby whether to find the impulses nearest to the present ones rather than the
-     *     smallest ones. The smallest may be far away, beyond a cone or a pull, so that a heap at
-     *     rest would be taken apart on the way to them. It must be false for a squeezed body, whose
-     *     impulses would grow for as long as the squeezing lasts.
      */
-    public void solve(double h, int substep, double settled, boolean isNearby) {
+    public void solve(double h, int substep, double settled) {
         if (!isUncoupled()) {
-            read(h, isNearby);
+            read(h);
             Arrays.fill(rows.sliding, 0, contacts.count, 0);
             solveRead(substep, settled);
             rows.write();
@@ -147,11 +153,11 @@ public final class DirectSolver {
      * load being solved for rather than from the last one. Returns whether it succeeded; if not,
      * the state is restored.
      */
-    public boolean solveByNewton(double h, int substep, double settled, boolean isNearby) {
+    public boolean solveByNewton(double h, int substep, double settled) {
         if (isUncoupled()) {
             return true;
         }
-        read(h, isNearby);
+        read(h);
         boolean isSolved = newton.solve(substep, settled, worth);
         if (isSolved) {
             rows.write();
@@ -159,7 +165,7 @@ public final class DirectSolver {
         return isSolved;
     }
 
-    private void read(double h, boolean isNearby) {
+    private void read(double h) {
         layOut();
         rows.read(h);
         if (isNearby) {
@@ -172,7 +178,7 @@ public final class DirectSolver {
     /** Lays out the flat rows, if they have changed. */
     private void layOut() {
         if (!isLaidOut) {
-            rows.layOut();
+            rows.layOut(isNearby);
             isLaidOut = true;
         }
     }
@@ -193,75 +199,12 @@ public final class DirectSolver {
         }
     }
 
-    /** Removes the overlap of loaded rows, or of all overlapping rows if none is loaded. */
+    /** Removes the overlap of what carries ({@link HeldOverlap}), after a substep of h seconds. */
     public void correct(double h, int substep) {
-        reserve();
-        if (factor.size() == 0 || !factor.isSymmetric()) {
+        if (overlap.isAnyWanted(0, h, substep)) {
             layOut();
-            Arrays.fill(rows.sliding, 0, contacts.count, 0);
-            chooseOverlapping(h, substep);
-            factor.factorize(set, size);
-        }
-        size = factor.writeSet(set);
-        double widest = 0;
-        for (int i = 0; i < size; i++) {
-            int row = order.order[set[i] / KINDS];
-            int kind = set[i] % KINDS;
-            unknown[i] = kind == TANGENT ? 0 : overlap.wanted(row, kind, h);
-            if (unknown[i] > 0) {
-                widest =
-                        Math.max(
-                                widest,
-                                contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH]);
-            }
-        }
-        if (widest > 0) {
-            factor.solve(unknown);
-            way.begin();
-            for (int i = 0; i < size; i++) {
-                rows.move(set[i], unknown[i]);
-            }
-            limitWay(overlap.mostPush() * widest * h);
-        }
-    }
-
-    private void chooseOverlapping(double h, int substep) {
-        size = 0;
-        for (int i = 0; i < contacts.count; i++) {
-            int row = order.order[i];
-            if (contacts.firstSubstep[row] <= substep) {
-                for (int point = 0; point < contacts.points[row]; point++) {
-                    if (overlap.wanted(row, point, h) > 0 || isOnGround(row, point)) {
-                        set[size++] = KINDS * i + point;
-                    }
-                }
-            }
-        }
-    }
-
-    /**
-     * Whether a point touches the ground. Bodies on it do not yield, so that their neighbours move
-     * all the way.
-     */
-    private boolean isOnGround(int row, int point) {
-        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
-        return row >= contacts.groundStart
-                && motions.gap(contacts, row, point) <= KeptOverlap.LEAST * width;
-    }
-
-    /**
-     * Limits the displacement of any body, m. Otherwise contradicting overlaps, of a body between
-     * two immovable ones, would be resolved by moving it around them.
-     */
-    private void limitWay(double most) {
-        double farthest = 0;
-        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
-            double x = way.of(at + Motions.DX);
-            double y = way.of(at + Motions.DY);
-            farthest = Math.max(farthest, Math.max(Math.abs(x), Math.abs(y)));
-        }
-        if (farthest > most) {
-            way.scaleAll(most / farthest);
+            rows.read(h);
+            held.correct(h, substep, free);
         }
     }
 

@@ -17,6 +17,15 @@ final class FlatRows {
     /** Unknowns of a hub: its velocity along x and y, and its spin. */
     static final int AXES = 3;
 
+    /**
+     * Compliance added to the rows of a calm island, as a share of their effective inverse masses.
+     * It counts from the present impulses, so that rounds take its error away (the proximal point
+     * method: R. T. Rockafellar, "Monotone operators and the proximal point algorithm", 1976).
+     * Redundant contacts then keep the shares of a load that they have. With the compliance of
+     * {@link PackedContacts} alone, round-off would choose the seventh digit of them.
+     */
+    private static final double PROXIMAL = 1e-7;
+
     private final Motions motions;
     private final PackedContacts contacts;
     private final ContactOrder order;
@@ -56,8 +65,12 @@ final class FlatRows {
         this.order = order;
     }
 
-    /** Lays out the parts that a substep does not change: derivatives and compliances. */
-    void layOut() {
+    /**
+     * Lays out the parts that a substep does not change: derivatives and compliances.
+     *
+     * @param isNearby whether the impulses nearest to the present ones are to be found
+     */
+    void layOut(boolean isNearby) {
         reserve();
         for (int place = 0; place < contacts.count; place++) {
             int row = order.order[place];
@@ -71,6 +84,9 @@ final class FlatRows {
             layOut(k + 1, row, nx, ny, at + PackedContacts.LEVER_A1, giveOfPoint);
             double giveOfTangent = PackedContacts.COMPLIANCE / d[at + PackedContacts.MASS_T];
             layOut(k + TANGENT, row, -ny, nx, at + PackedContacts.LEVER_TA, giveOfTangent);
+            for (int i = k; isNearby && i < k + KINDS; i++) {
+                give[i] += PROXIMAL * answer[i];
+            }
         }
     }
 

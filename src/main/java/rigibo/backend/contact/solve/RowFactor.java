@@ -40,6 +40,10 @@ final class RowFactor {
     private double[] sliding = new double[0];
 
     private boolean isSymmetric = true;
+
+    /** By flat row: its compliance, 1/kg. */
+    private double[] give;
+
     private int size;
 
     private final EnvelopeFactor factor = new EnvelopeFactor();
@@ -117,8 +121,17 @@ final class RowFactor {
         }
     }
 
-    /** Factors the matrix of a set, from the first row on that differs from the last set. */
+    /**
+     * Factors the matrix of a set with the rows' own compliances, from the first row on that
+     * differs from the last set.
+     */
     void factorize(int[] set, int count) {
+        factorize(set, count, rows.give);
+    }
+
+    /** Factors it with other compliances, by flat row in 1/kg. */
+    void factorize(int[] set, int count, double[] compliances) {
+        give = compliances;
         reserve();
         int same = 0;
         while (same < Math.min(size, count) && isFactored(same, set[same])) {
@@ -153,7 +166,7 @@ final class RowFactor {
         factor.clear(at);
         writeEntries(i);
         // Of a redundant row only its compliance is left on the diagonal.
-        factor.eliminate(at, isSymmetric, rows.give[factored[i]]);
+        factor.eliminate(at, isSymmetric, give[factored[i]]);
     }
 
     /** The place of a row of the set among all unknowns. */
@@ -225,7 +238,7 @@ final class RowFactor {
         writeEntries(i, contacts.bodyB[row]);
         int k = factored[i];
         int at = place(i);
-        factor.writeLower(at, at, rows.answerTo(k, k) + rows.give[k]);
+        factor.writeLower(at, at, rows.answerTo(k, k) + give[k]);
         if (i >= beforeHubs) {
             writeEntriesOfHubs(at, k);
         }

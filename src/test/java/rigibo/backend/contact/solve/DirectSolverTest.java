@@ -26,6 +26,9 @@ class DirectSolverTest {
     private static final double SETTLED = 1e-11;
     private static final double PLENTY = 1e12;
 
+    /** Speed that a body gains in a step of the earth's pull, m/s. */
+    private static final double GAINED = 9.81 / 60;
+
     /** Residuals and loads of up to 20 contacts, some of which share what they carry. */
     private static final double SOLVED = 1e-8;
 
@@ -110,12 +113,12 @@ class DirectSolverTest {
 
     /** A pass lets go of what is to carry nothing, and all that still carries is eliminated. */
     private void solve(int rounds) {
-        assertThat(direct.prepare(PLENTY)).isTrue();
+        assertThat(direct.prepare(PLENTY, false, GAINED)).isTrue();
         direct.begin();
         dense.begin();
         for (int round = 0; round < rounds; round++) {
             sweep.run(H, H, 0, 0, 0, 0, 1);
-            direct.solve(H, 0, SETTLED, false);
+            direct.solve(H, 0, SETTLED);
         }
         assertThat(direct.isSpent()).isFalse();
     }
@@ -152,7 +155,9 @@ class DirectSolverTest {
             solve(30);
             double[] kept = dense.impulses();
             motions.data[Motions.STRIDE + Motions.VX] += 1e-4;
-            direct.solve(H, 0, SETTLED, true);
+            direct.prepare(PLENTY, true, GAINED);
+            direct.begin();
+            direct.solve(H, 0, SETTLED);
             for (int row = 0; row < contacts.count; row++) {
                 double more = of(row, PackedContacts.IMPULSE0) - kept[DenseRows.KINDS * row];
                 if (of(row, PackedContacts.IMPULSE0) > 0.1) {
@@ -177,7 +182,7 @@ class DirectSolverTest {
                 motions.data[entry * Motions.STRIDE + Motions.VX] += 1e-5;
             }
             dense.begin();
-            if (direct.solveByNewton(H, 0, SETTLED, false)) {
+            if (direct.solveByNewton(H, 0, SETTLED)) {
                 found++;
                 assertObeys();
             }
@@ -197,12 +202,12 @@ class DirectSolverTest {
             set(entry - 1, PackedContacts.GIVE, 1e-10);
         }
         contacts.firstSubstep[1] = 3;
-        direct.prepare(PLENTY);
+        direct.prepare(PLENTY, false, GAINED);
         direct.begin();
-        direct.solve(H, 2, SETTLED, false);
+        direct.solve(H, 2, SETTLED);
         assertThat(dense.velocities()[4]).isCloseTo(0, within(SOLVED));
         assertThat(dense.velocities()[7]).isEqualTo(-1);
-        direct.solve(H, 3, SETTLED, false);
+        direct.solve(H, 3, SETTLED);
         assertThat(dense.velocities()[7]).isCloseTo(0, within(SOLVED));
     }
 
@@ -214,10 +219,10 @@ class DirectSolverTest {
         motions.data[Motions.STRIDE + Motions.VY] = -1;
         int row = island.onGround(1, 0.5, 0.5);
         set(row, PackedContacts.MASS_T, 1);
-        direct.prepare(PLENTY);
+        direct.prepare(PLENTY, false, GAINED);
         direct.begin();
-        direct.solve(H, 0, SETTLED, false);
-        assertThat(direct.solveByNewton(H, 0, SETTLED, false)).isTrue();
+        direct.solve(H, 0, SETTLED);
+        assertThat(direct.solveByNewton(H, 0, SETTLED)).isTrue();
         assertThat(dense.velocities()[4]).isEqualTo(-1);
         assertThat(direct.work()).isZero();
     }
@@ -227,19 +232,19 @@ class DirectSolverTest {
     void budgetsAreKept() {
         SplittableRandom random = new SplittableRandom(5);
         heap(random, 10, 0);
-        assertThat(direct.prepare(PLENTY)).isTrue();
+        assertThat(direct.prepare(PLENTY, false, GAINED)).isTrue();
         direct.begin();
-        direct.solve(H, 0, SETTLED, false);
+        direct.solve(H, 0, SETTLED);
         double work = direct.work();
         assertThat(work).isPositive();
-        assertThat(direct.prepare(1)).isFalse();
+        assertThat(direct.prepare(1, false, GAINED)).isFalse();
         heap(random, 10, 0);
-        direct.prepare(1);
+        direct.prepare(1, false, GAINED);
         direct.begin();
         assertThat(direct.isSpent()).isFalse();
         assertThat(direct.work()).isZero();
         dense.begin();
-        direct.solve(H, 0, SETTLED, false);
+        direct.solve(H, 0, SETTLED);
         assertThat(direct.isSpent()).isTrue();
         assertThat(direct.work()).isLessThan(work);
         dense.assertImpulsesTellAll(SOLVED);
@@ -252,9 +257,9 @@ class DirectSolverTest {
         for (int entry = 1; entry <= 64; entry++) {
             contact(random, entry - 1, entry, 0);
         }
-        assertThat(direct.prepare(PLENTY)).isTrue();
+        assertThat(direct.prepare(PLENTY, false, GAINED)).isTrue();
         contact(random, 64, 65, 0);
-        assertThat(direct.prepare(PLENTY)).isFalse();
+        assertThat(direct.prepare(PLENTY, false, GAINED)).isFalse();
     }
 
     private void overlaps(SplittableRandom random, int count, double deepest) {
@@ -270,7 +275,7 @@ class DirectSolverTest {
         }
         contacts.groundStart = contacts.count;
         overlap.prepare(false);
-        direct.prepare(PLENTY);
+        direct.prepare(PLENTY, false, GAINED);
         direct.begin();
     }
 
@@ -282,8 +287,10 @@ class DirectSolverTest {
         for (int i = 0; i < 100; i++) {
             overlaps(random, 2 + random.nextInt(4), 1e-3);
             double[] wanted = new double[contacts.count];
+            double most = 0;
             for (int row = 0; row < contacts.count; row++) {
                 wanted[row] = overlap.wanted(row, 0, H);
+                most = Math.max(most, wanted[row]);
             }
             double[] before = dense.velocities();
             direct.correct(H, 0);
@@ -292,13 +299,23 @@ class DirectSolverTest {
                     if (wanted[row] > 0) {
                         parted++;
                         assertThat(dense.along(row, 0, dense.displacements()))
-                                .isCloseTo(wanted[row], within(1e-6 * wanted[row] + 1e-12));
+                                .isCloseTo(wanted[row], within(yields(wanted[row], most)));
                     }
                 }
             }
             assertThat(dense.velocities()).isEqualTo(before);
         }
         assertThat(parted).isGreaterThan(100);
+    }
+
+    /**
+     * Distance in m by which a row yields that is to open by {@code wanted} m, beside others that
+     * are to open by up to {@code most}: light bodies below heavy ones are pushed up to 50 times as
+     * hard, and a row that hardly overlaps is softer.
+     */
+    private static double yields(double wanted, double most) {
+        double soft = HeldOverlap.FADES * GAINED * H / wanted;
+        return 50 * most * (HeldOverlap.COMPLIANCE + soft * soft);
     }
 
     private double farthest() {
@@ -342,12 +359,13 @@ class DirectSolverTest {
         set(0, PackedContacts.GAP0, -1e-3);
         set(0, PackedContacts.GAP1, -1e-3);
         overlap.prepare(false);
-        direct.prepare(PLENTY);
+        direct.prepare(PLENTY, false, GAINED);
         direct.begin();
         double wanted = overlap.wanted(0, 0, H);
         direct.correct(H, 0);
-        assertThat(dense.displacements()[4]).isCloseTo(0, within(1e-12));
-        assertThat(dense.displacements()[7]).isCloseTo(wanted, within(1e-12));
+        double yields = yields(wanted, wanted);
+        assertThat(dense.displacements()[4]).isCloseTo(0, within(yields));
+        assertThat(dense.displacements()[7]).isCloseTo(wanted, within(yields));
         // Lifted off by more than the kept overlap, it takes half of the way.
         island.motions.data[Motions.STRIDE + Motions.DY] = 0;
         island.motions.data[2 * Motions.STRIDE + Motions.DY] = 0;
@@ -355,7 +373,7 @@ class DirectSolverTest {
         set(1, PackedContacts.GAP1, 2e-5);
         direct.forget();
         direct.correct(H, 0);
-        assertThat(dense.displacements()[4]).isCloseTo(-wanted / 2, within(1e-12));
-        assertThat(dense.displacements()[7]).isCloseTo(wanted / 2, within(1e-12));
+        assertThat(dense.displacements()[4]).isCloseTo(-wanted / 2, within(yields));
+        assertThat(dense.displacements()[7]).isCloseTo(wanted / 2, within(yields));
     }
 }

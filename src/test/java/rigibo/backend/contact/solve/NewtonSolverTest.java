@@ -51,7 +51,7 @@ class NewtonSolverTest {
     }
 
     private boolean solve() {
-        rows.layOut();
+        rows.layOut(false);
         rows.read(H);
         Arrays.fill(rows.kept, 0, FlatRows.KINDS * contacts.count, 0);
         boolean isSolved = newton.solve(0, 1e-12, Double.POSITIVE_INFINITY);

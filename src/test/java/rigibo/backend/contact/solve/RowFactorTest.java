@@ -56,7 +56,7 @@ class RowFactorTest {
 
     private void lay() {
         order.find();
-        rows.layOut();
+        rows.layOut(false);
         factor.forget();
     }
 
