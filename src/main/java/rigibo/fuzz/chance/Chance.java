@@ -1,5 +1,8 @@
 package rigibo.fuzz.chance;
 
+import rigibo.backend.geometry.Exponential;
+import rigibo.backend.geometry.Logarithm;
+
 import java.util.List;
 import java.util.Random;
 
@@ -33,7 +36,7 @@ public final class Chance {
 
     /** Between two positive numbers, every factor as likely as any other. */
     public double ofAnySize(double least, double most) {
-        double drawn = StrictMath.exp(between(StrictMath.log(least), StrictMath.log(most)));
+        double drawn = Exponential.exp(between(Logarithm.log(least), Logarithm.log(most)));
         return Math.min(Math.max(drawn, least), most);
     }
 
