@@ -45,7 +45,7 @@ class ArchitectureTest {
         BACKEND, BACKEND + ".geometry", BACKEND + ".setup", BACKEND + ".effect"
     };
 
-    /** Mathematics whose last bit a JVM or a browser may choose, and what takes long there. */
+    /** Mathematics whose last bit a JVM or a browser may choose, or that a browser lacks. */
     private static final Set<String> LOOSE_MATHEMATICS =
             Set.of(
                     "sin",

@@ -4,9 +4,8 @@ import rigibo.backend.geometry.Exponential;
 import rigibo.backend.geometry.Logarithm;
 
 import java.util.List;
-import java.util.Random;
 
-/** Draws from a seed: the same calls give the same draws in every JVM. */
+/** Draws from a seed: the same calls give the same draws in every JVM and browser. */
 public final class Chance {
 
     /** Spreads neighbouring seeds, whose first draws are alike: 2⁶⁴ over the golden ratio. */
@@ -16,11 +15,10 @@ public final class Chance {
     private static final List<Double> NOT_FINITE =
             List.of(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
 
-    /** Every algorithm of {@code Random} is specified, so that no Java draws otherwise. */
-    private final Random random;
+    private final Draws random;
 
     private Chance(long seed) {
-        random = new Random(seed);
+        random = new Draws(seed);
     }
 
     /** The draws of one of the many things that a seed stands for. */
