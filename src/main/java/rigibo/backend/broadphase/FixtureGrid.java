@@ -44,9 +44,11 @@ final class FixtureGrid {
     private static final long[] FIRST_ROW = new long[LEVELS];
 
     static {
+        double cells = 1L << METRE;
         for (int level = 0; level < LEVELS; level++) {
-            CELLS_PER_METRE[level] = Math.scalb(1.0, METRE - level);
+            CELLS_PER_METRE[level] = cells;
             FIRST_ROW[level] = scatter(level);
+            cells /= 2;
         }
     }
 

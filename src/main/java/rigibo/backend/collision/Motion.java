@@ -1,6 +1,7 @@
 package rigibo.backend.collision;
 
 import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Exponential;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 
@@ -228,7 +229,7 @@ public final class Motion {
 
     /** E₁ in s: displacement per unit of velocity. */
     public double velocityShare(double elapsed) {
-        return drag > 0 ? -StrictMath.expm1(-drag * elapsed) / drag : elapsed;
+        return drag > 0 ? -Exponential.expm1(-drag * elapsed) / drag : elapsed;
     }
 
     /** E₂ in s²: displacement per unit of acceleration. */

@@ -1,5 +1,6 @@
 package rigibo.backend.collision;
 
+import rigibo.backend.geometry.Length;
 import rigibo.backend.geometry.Outline;
 
 /** Tests whether a shape at a pose contains a point, and where a ray enters it. */
@@ -174,13 +175,13 @@ public final class PointAndRay {
      * the ray, because p + t·d would lose its direction from the centre in the same way.
      */
     private double entersDisc(double radius, double x, double y, double dx, double dy) {
-        double length = StrictMath.hypot(dx, dy);
+        double length = Length.hypot(dx, dy);
         double ux = dx / length;
         double uy = dy / length;
         double ahead = -(x * ux + y * uy);
         double beside = x * uy - y * ux;
         double discriminant = (radius - beside) * (radius + beside);
-        boolean isInside = StrictMath.hypot(x, y) < radius;
+        boolean isInside = Length.hypot(x, y) < radius;
         if (isInside || !(ahead > 0) || !(discriminant >= 0)) {
             return MISS;
         }

@@ -121,7 +121,8 @@ public final class TimeOfImpact {
 
     private void setTolerance(double metres) {
         double width = Math.min(a.outline.smallestWidth(), b.outline.smallestWidth());
-        rounding = ROUNDING_UNITS * Math.ulp(Math.max(farthest(a), farthest(b)));
+        double far = Math.max(farthest(a), farthest(b));
+        rounding = ROUNDING_UNITS * (Math.nextUp(far) - far);
         tolerance = Math.max(metres * width, rounding / LEAST_SHARE);
         advance.stopBetween(LEAST_SHARE * tolerance, LARGEST_SHARE * tolerance);
         distance.near(LARGEST_SHARE * tolerance);

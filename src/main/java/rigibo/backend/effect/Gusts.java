@@ -4,7 +4,7 @@ package rigibo.backend.effect;
  * A function that scales a {@link Wind} over time. It is called within a step.
  *
  * <pre>{@code
- * Gusts sway = time -> 1 + 0.5 * Math.sin(time);
+ * Gusts sway = time -> 1 + 0.5 * Angle.sin(time); // of rigibo.backend.geometry, the same bits everywhere
  * }</pre>
  */
 @FunctionalInterface

@@ -1,6 +1,7 @@
 package rigibo.backend.force;
 
 import rigibo.backend.effect.CentralForce;
+import rigibo.backend.geometry.Logarithm;
 
 /** a = −s·rⁿ·(r/r), computed as the factor s·(r²)^((n − 1)/2) times the vector to the centre. */
 final class CentralPull implements ChangingForce {
@@ -28,13 +29,12 @@ final class CentralPull implements ChangingForce {
         }
     }
 
-    /** StrictMath.pow would be more exact by a digit, but allocates in every call. */
     private double share(double squared) {
         if (exponent == 0) {
             return 1;
         }
         return centre.power() == INVERSE_SQUARE
                 ? 1 / (squared * Math.sqrt(squared))
-                : StrictMath.exp(exponent * StrictMath.log(squared));
+                : Logarithm.pow(squared, exponent);
     }
 }

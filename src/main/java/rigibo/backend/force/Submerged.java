@@ -1,5 +1,6 @@
 package rigibo.backend.force;
 
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.ShapeKind;
 
@@ -94,7 +95,7 @@ final class Submerged {
     private void measureDisc(double r) {
         double cos = Math.max(-1, -level / r);
         double sin = Math.sqrt((1 - cos) * (1 + cos));
-        double phi = StrictMath.acos(cos);
+        double phi = Angle.acos(cos);
         double sin2 = 2 * sin * cos;
         double sin4 = 2 * sin2 * (2 * cos * cos - 1);
         area = r * r * (phi - sin2 / 2);
@@ -151,8 +152,8 @@ final class Submerged {
                     worldY(outline, before, cos, sin) + outY,
                     x + outX,
                     y + outY);
-            double from = StrictMath.atan2(outline.normalY(before), outline.normalX(before));
-            double to = StrictMath.atan2(outline.normalY(i), outline.normalX(i));
+            double from = Angle.atan2(outline.normalY(before), outline.normalX(before));
+            double to = Angle.atan2(outline.normalY(i), outline.normalX(i));
             double turn = to > from ? to - from : to - from + 2 * Math.PI;
             walkArc(x, y, radius, from + angle, turn);
             before = i;
@@ -161,7 +162,7 @@ final class Submerged {
 
     /** Cuts an arc where it crosses the level, and adds the pieces below it. */
     private void walkArc(double x, double y, double radius, double from, double turn) {
-        double rises = StrictMath.asin(Math.max(-1, Math.min(1, (level - y) / radius)));
+        double rises = Angle.asin(Math.max(-1, Math.min(1, (level - y) / radius)));
         double first = turnTo(rises, from);
         double second = turnTo(Math.PI - rises, from);
         double near = Math.min(turn, Math.min(first, second));
@@ -184,10 +185,10 @@ final class Submerged {
      */
     private void goAlong(double x, double y, double radius, double from, double turn) {
         double middle = from + turn / 2;
-        if (!(turn > 0) || !(y + radius * StrictMath.sin(middle) < level)) {
+        if (!(turn > 0) || !(y + radius * Angle.sin(middle) < level)) {
             return;
         }
-        go(x + radius * StrictMath.cos(from), y + radius * StrictMath.sin(from));
+        go(x + radius * Angle.cos(from), y + radius * Angle.sin(from));
         int pieces = (int) Math.ceil(turn / LONGEST_ARC);
         double half = turn / pieces / 2;
         for (int piece = 0; piece < pieces; piece++) {
@@ -198,8 +199,8 @@ final class Submerged {
                 addArc(x, y, radius, centre + GAUSS_PLACES[i] * half, weight);
             }
         }
-        lastX = x + radius * StrictMath.cos(from + turn);
-        lastY = y + radius * StrictMath.sin(from + turn);
+        lastX = x + radius * Angle.cos(from + turn);
+        lastY = y + radius * Angle.sin(from + turn);
     }
 
     /**
@@ -207,8 +208,8 @@ final class Submerged {
      * by {@code turn}.
      */
     private void addArc(double cx, double cy, double radius, double angle, double turn) {
-        double cos = StrictMath.cos(angle);
-        double sin = StrictMath.sin(angle);
+        double cos = Angle.cos(angle);
+        double sin = Angle.sin(angle);
         double x = cx + radius * cos;
         double y = cy + radius * sin;
         double cross = (x * cos + y * sin) * radius * turn;

@@ -1,17 +1,15 @@
 package rigibo.backend.geometry;
 
 /**
- * Sine and cosine with the same bits on every JVM. {@link Math#sin} does not promise that; {@link
- * StrictMath#sin} does, but is slower.
+ * Sine, cosine and their inverses with the same bits on every JVM and in every browser, which
+ * {@link Math#sin} does not promise and no browser knows {@link StrictMath} for. Only sums,
+ * products, quotients, roots and the bits of doubles are asked. In 10⁶ arguments of all sizes the
+ * largest error is 0.81 units in the last place of the true value ({@code ElementaryTest}).
  *
- * <p>The angle is reduced to [−π/4, π/4] by subtracting n·π/2, with π/2 in three parts (W. J. Cody
+ * <p>An angle is reduced to [−π/4, π/4] by subtracting n·π/2, with π/2 in three parts (W. J. Cody
  * and W. Waite, Software Manual for the Elementary Functions, 1980); there the Taylor series is
- * evaluated. The result is within one unit in the last place of the true value, or within 10⁻²⁷
- * where that is nearly 0.
- *
- * <p>From 10⁷ rad on, doubles are 10⁻⁹ rad apart or more. There whole turns are subtracted first,
- * with the double next to 2π; the error that this adds to the angle is less than the distance to
- * the next double. {@link StrictMath} would be exact there, but allocates on some JVMs.
+ * evaluated. Where too few digits are left, next to a multiple of π/2 and from 10⁷ rad on, the
+ * angle is reduced in whole numbers instead, by as much of 2/π as the largest double needs.
  *
  * <pre>{@code
  * double height = 5 * Angle.sin(0.3); // m, the same bits everywhere
@@ -22,6 +20,20 @@ public final class Angle {
     /** Largest angle in rad whose n·π/2 stays exact: n has 23 bits, the parts of π/2 have 30. */
     private static final double LARGEST = 1e7;
 
+    /** Smaller angles are their own sines and tangents, and have a cosine of 1. */
+    private static final double TINY = 0x1p-27;
+
+    /** What is left of an angle must be larger, for n times the last part of π/2 is off by 2⁻⁹¹. */
+    private static final double LEAST_LEFT = 0x1p-30;
+
+    /** Written out, for a library may multiply by π and divide by 180. */
+    private static final double RADIANS_PER_DEGREE = 0.017453292519943295;
+
+    private static final double DEGREES_PER_RADIAN = 57.29577951308232;
+
+    /** Powers of two between which the coordinates of a direction are multiplied as they are. */
+    private static final int MODEST = 400;
+
     /** π/2 as two parts of 30 bits, whose products with n are exact, and the rest. */
     private static final double HALF_PI_HIGH = 0x1.921fb54p0;
 
@@ -29,7 +41,6 @@ public final class Angle {
     private static final double HALF_PI_LOW = 0x1.313198a2e0370p-61;
 
     private static final double TWO_OVER_PI = 2 / Math.PI;
-    private static final double TWO_PI = 2 * Math.PI;
 
     /** Adding and then subtracting 1.5·2⁵² rounds a double to the nearest whole number. */
     private static final double ROUNDER = 0x1.8p52;
@@ -54,42 +65,117 @@ public final class Angle {
 
     private Angle() {}
 
-    /** Sine of an angle in rad; NaN when the angle is not finite. */
+    /** Sine of an angle in rad; NaN when the angle is not finite, −0 for −0. */
     public static double sin(double angle) {
-        double less = withoutTurns(angle);
-        double turns = less * TWO_OVER_PI + ROUNDER - ROUNDER;
-        return quarter((int) turns, less, turns);
+        return Math.abs(angle) < TINY ? angle : advanced(angle, 0);
     }
 
     /** Cosine of an angle in rad; NaN when the angle is not finite. */
     public static double cos(double angle) {
-        double less = withoutTurns(angle);
-        double turns = less * TWO_OVER_PI + ROUNDER - ROUNDER;
-        return quarter((int) turns + 1, less, turns);
+        return advanced(angle, 1);
+    }
+
+    /** An angle in rad that is given in degrees. */
+    public static double ofDegrees(double degrees) {
+        return degrees * RADIANS_PER_DEGREE;
+    }
+
+    /** An angle of so many rad in degrees. */
+    public static double inDegrees(double angle) {
+        return angle * DEGREES_PER_RADIAN;
     }
 
     /**
-     * Subtracts whole turns from a large angle. The remainder is exact; the rounding of 2π shifts
-     * it once per turn.
+     * Direction of the point (x, y) in rad, −π to π, counter-clockwise from the x axis: of the sign
+     * of y, a zero's sign included, ±π for a negative x beside a zero, and a multiple of π/4 where
+     * both are infinite. NaN when a coordinate is.
      */
-    private static double withoutTurns(double angle) {
-        return Math.abs(angle) <= LARGEST ? angle : angle % TWO_PI;
+    public static double atan2(double y, double x) {
+        double up = Math.abs(y);
+        double along = x;
+        if (!(up <= Double.MAX_VALUE && Math.abs(x) <= Double.MAX_VALUE)) {
+            if (y != y || x != x) {
+                return Double.NaN;
+            }
+            // What is infinite counts as 1, and beside it what is not counts as 0.
+            up = Double.isInfinite(y) ? 1 : 0;
+            along = Math.copySign(Double.isInfinite(x) ? 1 : 0, x);
+        }
+        if (up == 0) {
+            return Math.copySign(Math.copySign(1, along) < 0 ? Math.PI : 0, y);
+        }
+        int size = Math.getExponent(Math.max(up, Math.abs(along)));
+        if (size > MODEST || size < -MODEST) {
+            if (along > 0 && up < along * 0x1p-60) {
+                return y / x;
+            }
+            double scale = size > 0 ? 0x1p-600 : 0x1p600;
+            up *= scale;
+            along *= scale;
+        }
+        return Math.copySign(ArcTangent.of(up, 0, along, 0), y);
     }
 
-    /**
-     * Sine of the remainder of an angle after {@code turns} quarter turns, plus {@code quadrant}
-     * quarter turns.
-     */
-    private static double quarter(int quadrant, double angle, double turns) {
+    /** Angle in rad, −π/2 to π/2, whose sine is given; NaN beyond −1 and 1, −0 for −0. */
+    public static double asin(double sine) {
+        if (Math.abs(sine) < TINY) {
+            return sine;
+        }
+        double square = squareBeside(sine);
+        double other = Math.sqrt(square);
+        double angle = ArcTangent.of(Math.abs(sine), 0, other, rootLack(sine, square, other));
+        return Math.copySign(angle, sine);
+    }
+
+    /** Angle in rad, 0 to π, whose cosine is given; NaN beyond −1 and 1. */
+    public static double acos(double cosine) {
+        double square = squareBeside(cosine);
+        double other = Math.sqrt(square);
+        return ArcTangent.of(other, rootLack(cosine, square, other), cosine, 0);
+    }
+
+    /** 1 − c², rounded. */
+    private static double squareBeside(double c) {
+        double size = Math.abs(c);
+        return (1 - size) * (1 + size);
+    }
+
+    /** What the root of 1 − c² lacks, by a step of Newton's rule. */
+    private static double rootLack(double c, double square, double root) {
+        if (square == 0) {
+            return 0;
+        }
+        double size = Math.abs(c);
+        double less = 1 - size;
+        double more = 1 + size;
+        double lost = Rounding.ofProduct(less, more, square);
+        lost += less * Rounding.ofSum(1, size, more) + more * Rounding.ofSum(1, -size, less);
+        double back = root * root;
+        return (square - back - Rounding.ofProduct(root, root, back) + lost) / (2 * root);
+    }
+
+    /** Sine of an angle plus {@code quadrant} quarter turns. */
+    private static double advanced(double angle, int quadrant) {
+        if (!(Math.abs(angle) <= LARGEST)) {
+            return QuarterTurns.sine(angle, quadrant);
+        }
+        double turns = angle * TWO_OVER_PI + ROUNDER - ROUNDER;
         double high = angle - turns * HALF_PI_HIGH;
         double middle = turns * HALF_PI_MIDDLE;
         double sum = high - middle;
+        if (Math.abs(sum) < LEAST_LEFT && turns != 0) {
+            return QuarterTurns.sine(angle, quadrant);
+        }
         // Knuth's two-sum: the rounding error of the subtraction, whichever operand is larger.
         double back = high - sum;
         double lost = (high - (sum + back)) + (back - middle);
         double low = turns * HALF_PI_LOW - lost;
         double x = sum - low;
-        double tail = (sum - x) - low;
+        return quarter((int) turns + quadrant, x, (sum - x) - low);
+    }
+
+    /** Sine of x + tail, at most π/4, plus {@code quadrant} quarter turns. */
+    static double quarter(int quadrant, double x, double tail) {
         double value = (quadrant & 1) == 0 ? sineOf(x, tail) : cosineOf(x, tail);
         return (quadrant & 2) == 0 ? value : -value;
     }

@@ -56,7 +56,7 @@ final class ChainCheck {
     }
 
     private void requireLength(int edge) {
-        double length = StrictMath.hypot(endX(edge) - startX(edge), endY(edge) - startY(edge));
+        double length = Length.hypot(endX(edge) - startX(edge), endY(edge) - startY(edge));
         if (!(length >= Chain.SHORTEST_EDGE && length < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException(
                     maker
@@ -76,7 +76,7 @@ final class ChainCheck {
         double uy = endY(edge) - startY(edge);
         double wx = endX(next) - startX(next);
         double wy = endY(next) - startY(next);
-        double lengths = StrictMath.hypot(ux, uy) * StrictMath.hypot(wx, wy);
+        double lengths = Length.hypot(ux, uy) * Length.hypot(wx, wy);
         if (ux * wx + uy * wy < 0 && Math.abs(ux * wy - uy * wx) <= RIGHT_BACK * lengths) {
             throw new IllegalArgumentException(
                     maker + " must not go right back at corner " + next + named(next));

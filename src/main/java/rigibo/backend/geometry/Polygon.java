@@ -92,8 +92,8 @@ public final class Polygon implements Convex {
         double[] xy = new double[2 * corners];
         for (int i = 0; i < corners; i++) {
             double angle = 2 * Math.PI * i / corners;
-            xy[2 * i] = radius * StrictMath.cos(angle);
-            xy[2 * i + 1] = radius * StrictMath.sin(angle);
+            xy[2 * i] = radius * Angle.cos(angle);
+            xy[2 * i + 1] = radius * Angle.sin(angle);
         }
         return of(xy);
     }

@@ -101,7 +101,7 @@ final class PolygonCheck {
                                     ? " is reflex: corners must be convex and counter-clockwise"
                                     : " lies on the line through its neighbours"));
         }
-        return StrictMath.atan2(sine, (ux * wx + uy * wy) / lengths);
+        return Angle.atan2(sine, (ux * wx + uy * wy) / lengths);
     }
 
     static String at(double[] xy, int i) {

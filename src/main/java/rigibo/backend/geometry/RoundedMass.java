@@ -75,13 +75,13 @@ final class RoundedMass {
      */
     private void addSector(
             double x, double y, double inX, double inY, double outX, double outY, double radius) {
-        double phi = StrictMath.atan2(inX * outY - inY * outX, inX * outX + inY * outY);
+        double phi = Angle.atan2(inX * outY - inY * outX, inX * outX + inY * outY);
         double inLength = Math.sqrt(inX * inX + inY * inY);
         double outLength = Math.sqrt(outX * outX + outY * outY);
         double alongX = inY / inLength + outY / outLength;
         double alongY = -(inX / inLength + outX / outLength);
         double length = Math.sqrt(alongX * alongX + alongY * alongY);
-        double far = 4 * radius * StrictMath.sin(phi / 2) / (3 * phi);
+        double far = 4 * radius * Angle.sin(phi / 2) / (3 * phi);
         double area = phi * radius * radius / 2;
         add(
                 area,

@@ -1,5 +1,7 @@
 package rigibo.backend.setup;
 
+import rigibo.backend.geometry.Length;
+
 /**
  * The material of a body. For a contact of two bodies, friction mixes as √(μₐ·μ_b), elasticity as
  * max(eₐ, e_b), rolling resistance as max(cₐ, c_b), and surface speeds add.
@@ -182,7 +184,7 @@ public record Material(
      * @throws IllegalArgumentException when the normal is not finite or 0
      */
     public Material oneWay(double normalX, double normalY) {
-        double length = StrictMath.hypot(normalX, normalY);
+        double length = Length.hypot(normalX, normalY);
         Require.positive("Material.oneWay length of the normal", length, "no unit");
         return new Material(
                 density,

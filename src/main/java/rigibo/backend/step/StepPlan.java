@@ -45,7 +45,6 @@ import rigibo.backend.team.Team;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.StringJoiner;
 import java.util.function.LongSupplier;
 
 /**
@@ -210,7 +209,7 @@ public final class StepPlan {
     }
 
     private String rowsInWords() {
-        StringJoiner rows = new StringJoiner(", ").add("loads");
+        List<String> rows = new ArrayList<>(List.of("loads"));
         addIf(Friction.class, "friction", rows);
         addIf(RollingResistance.class, "rolling", rows);
         addIf(SurfaceSpeed.class, "running surfaces", rows);
@@ -220,10 +219,10 @@ public final class StepPlan {
         if (data.bodies.lockedX != null) {
             rows.add("locked axes");
         }
-        return rows.toString();
+        return String.join(", ", rows);
     }
 
-    private void addIf(Class<? extends Effect> effect, String row, StringJoiner rows) {
+    private void addIf(Class<? extends Effect> effect, String row, List<String> rows) {
         if (effects.declares(effect)) {
             rows.add(row);
         }

@@ -5,6 +5,8 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.scene.Scene;
 
+import java.util.Locale;
+
 /**
  * A small program that the gallery shows: the effects that it declares, the bodies that it adds,
  * and optionally what it does before each step. It needs only the engine's public face.
@@ -16,6 +18,13 @@ import rigibo.frontend.scene.Scene;
  * name of the class.
  */
 public interface Exhibit {
+
+    /** Name of an exhibit's class in the form of the command line, such as {@code card-house}. */
+    static String name(Class<? extends Exhibit> type) {
+        return type.getSimpleName()
+                .replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-")
+                .toLowerCase(Locale.ROOT);
+    }
 
     /** The effects that the scene declares. */
     default Effects effects() {

@@ -1,6 +1,5 @@
 package rigibo.frontend.gallery;
 
-import java.util.Locale;
 import java.util.function.Supplier;
 
 /**
@@ -15,9 +14,7 @@ record Found(Class<? extends Exhibit> type, Supplier<? extends Exhibit> make) {
 
     /** Name of its class in the form of the command line, such as {@code card-house}. */
     String name() {
-        return type.getSimpleName()
-                .replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-")
-                .toLowerCase(Locale.ROOT);
+        return Exhibit.name(type);
     }
 
     /** The last word of its package: exhibits of one package are shown together. */

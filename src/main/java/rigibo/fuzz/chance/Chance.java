@@ -1,9 +1,11 @@
 package rigibo.fuzz.chance;
 
-import java.util.List;
-import java.util.Random;
+import rigibo.backend.geometry.Exponential;
+import rigibo.backend.geometry.Logarithm;
 
-/** Draws from a seed: the same calls give the same draws in every JVM. */
+import java.util.List;
+
+/** Draws from a seed: the same calls give the same draws in every JVM and browser. */
 public final class Chance {
 
     /** Spreads neighbouring seeds, whose first draws are alike: 2⁶⁴ over the golden ratio. */
@@ -13,11 +15,10 @@ public final class Chance {
     private static final List<Double> NOT_FINITE =
             List.of(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
 
-    /** Every algorithm of {@code Random} is specified, so that no Java draws otherwise. */
-    private final Random random;
+    private final Draws random;
 
     private Chance(long seed) {
-        random = new Random(seed);
+        random = new Draws(seed);
     }
 
     /** The draws of one of the many things that a seed stands for. */
@@ -33,7 +34,7 @@ public final class Chance {
 
     /** Between two positive numbers, every factor as likely as any other. */
     public double ofAnySize(double least, double most) {
-        double drawn = StrictMath.exp(between(StrictMath.log(least), StrictMath.log(most)));
+        double drawn = Exponential.exp(between(Logarithm.log(least), Logarithm.log(most)));
         return Math.min(Math.max(drawn, least), most);
     }
 

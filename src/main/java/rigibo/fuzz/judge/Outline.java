@@ -2,7 +2,9 @@ package rigibo.fuzz.judge;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.geometry.Polygon;
 
 /**
@@ -35,7 +37,7 @@ final class Outline {
         normalX = new double[corners];
         normalY = new double[corners];
         if (body.shape() instanceof Polygon polygon) {
-            place(polygon, StrictMath.cos(body.angle()), StrictMath.sin(body.angle()));
+            place(polygon, Angle.cos(body.angle()), Angle.sin(body.angle()));
         }
     }
 
@@ -72,7 +74,7 @@ final class Outline {
     /** How far inside a point is, m; negative outside. */
     double depth(double px, double py) {
         if (isDisc()) {
-            return radius - StrictMath.hypot(px - x, py - y);
+            return radius - Length.hypot(px - x, py - y);
         }
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < cornerX.length; i++) {
@@ -94,7 +96,7 @@ final class Outline {
     private double alongNearestCorner(Aabb box) {
         double nearX = Math.min(Math.max(x, box.minX), box.maxX);
         double nearY = Math.min(Math.max(y, box.minY), box.maxY);
-        double distance = StrictMath.hypot(nearX - x, nearY - y);
+        double distance = Length.hypot(nearX - x, nearY - y);
         return distance > 0
                 ? along(box, (nearX - x) / distance, (nearY - y) / distance)
                 : Double.POSITIVE_INFINITY;
@@ -136,7 +138,7 @@ final class Outline {
     private double[] insideDisc(double fromX, double fromY, double alongX, double alongY) {
         double square = alongX * alongX + alongY * alongY;
         double middle = ((x - fromX) * alongX + (y - fromY) * alongY) / square;
-        double aside = StrictMath.hypot(fromX + middle * alongX - x, fromY + middle * alongY - y);
+        double aside = Length.hypot(fromX + middle * alongX - x, fromY + middle * alongY - y);
         double half = Math.sqrt((radius * radius - aside * aside) / square);
         return aside < radius ? new double[] {middle - half, middle + half} : new double[] {1, 0};
     }

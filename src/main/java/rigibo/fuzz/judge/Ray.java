@@ -5,6 +5,7 @@ import static rigibo.fuzz.judge.LawBroken.unless;
 import rigibo.backend.Pool;
 import rigibo.backend.RayHit;
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Length;
 
 import java.util.Optional;
 
@@ -56,7 +57,7 @@ record Ray(double fromX, double fromY, double toX, double toY) {
     private double clearlyEnters(Outline outline) {
         double alongX = toX - fromX;
         double alongY = toY - fromY;
-        double length = StrictMath.hypot(alongX, alongY);
+        double length = Length.hypot(alongX, alongY);
         double slack = CLEARLY * outline.slack(fromX, fromY, toX, toY);
         double[] inside = outline.inside(fromX, fromY, alongX, alongY);
         double middle = (Math.max(inside[0], 0) + Math.min(inside[1], 1)) / 2;

@@ -3,6 +3,7 @@ package rigibo.fuzz.program;
 import static rigibo.fuzz.program.Stated.call;
 import static rigibo.fuzz.program.Stated.numbers;
 
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
@@ -194,8 +195,8 @@ record Bodies(Chance chance, Temper temper) {
         for (int i = 0; i < xy.length; i += 2) {
             double around = -2 * Math.PI * i / xy.length;
             double rough = reach * chance.between(0.8, 1);
-            xy[i] = rough * StrictMath.cos(around);
-            xy[i + 1] = rough * StrictMath.sin(around);
+            xy[i] = rough * Angle.cos(around);
+            xy[i + 1] = rough * Angle.sin(around);
         }
         return new Stated<>("Chain.loop(" + numbers(xy) + ")", () -> Chain.loop(xy));
     }
@@ -232,8 +233,8 @@ record Bodies(Chance chance, Temper temper) {
         double flatness = chance.ofAnySize(0.05, 1);
         double off = chance.happens(0.2) ? 1e3 * radius : 0;
         for (int i = 0; i < angles.length; i++) {
-            xy[2 * i] = off + radius * StrictMath.cos(angles[i]);
-            xy[2 * i + 1] = flatness * radius * StrictMath.sin(angles[i]);
+            xy[2 * i] = off + radius * Angle.cos(angles[i]);
+            xy[2 * i + 1] = flatness * radius * Angle.sin(angles[i]);
         }
         return new Stated<>("Polygon.of(" + numbers(xy) + ")", () -> Polygon.of(xy));
     }

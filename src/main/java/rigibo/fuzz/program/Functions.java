@@ -2,6 +2,7 @@ package rigibo.fuzz.program;
 
 import rigibo.backend.effect.FieldFunction;
 import rigibo.backend.effect.Gusts;
+import rigibo.backend.geometry.Angle;
 import rigibo.fuzz.chance.Chance;
 
 /** Draws functions such as a caller might hand in; some are not finite everywhere. */
@@ -14,8 +15,8 @@ final class Functions {
         return switch (chance.whole(0, 3)) {
             case 0 ->
                     new Stated<>(
-                            "time -> StrictMath.sin(" + w + " * time)",
-                            () -> time -> StrictMath.sin(w * time));
+                            "time -> Angle.sin(" + w + " * time)",
+                            () -> time -> Angle.sin(w * time));
             case 1 ->
                     new Stated<>(
                             "time -> time < " + w + " ? 1 : 0", () -> time -> time < w ? 1 : 0);
@@ -52,8 +53,8 @@ final class Functions {
                                                     w * point.velocityY, -w * point.velocityX));
             case 3 ->
                     new Stated<>(
-                            "point -> point.push(" + w + " * StrictMath.sin(point.time), 0)",
-                            () -> point -> point.push(w * StrictMath.sin(point.time), 0));
+                            "point -> point.push(" + w + " * Angle.sin(point.time), 0)",
+                            () -> point -> point.push(w * Angle.sin(point.time), 0));
             default ->
                     new Stated<>(
                             "point -> point.push(point.x > " + limit + " ? Double.NaN : 1, 0)",

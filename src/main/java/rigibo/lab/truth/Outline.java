@@ -1,5 +1,6 @@
 package rigibo.lab.truth;
 
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Shape;
 
 /**
@@ -38,8 +39,8 @@ public final class Outline {
     public void place(double metresX, double metresY, double angle) {
         x = metresX;
         y = metresY;
-        double cos = StrictMath.cos(angle);
-        double sin = StrictMath.sin(angle);
+        double cos = Angle.cos(angle);
+        double sin = Angle.sin(angle);
         for (Piece piece : pieces) {
             piece.place(x, y, cos, sin);
         }

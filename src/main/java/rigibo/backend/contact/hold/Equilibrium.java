@@ -232,7 +232,8 @@ public final class Equilibrium {
      * Distance that round-off of positions hides, m: a smaller removal of overlap has no effect.
      */
     private double resolution(int slot) {
-        return LOST * Math.ulp(Math.max(Math.abs(bodies.x[slot]), Math.abs(bodies.y[slot])));
+        double far = Math.max(Math.abs(bodies.x[slot]), Math.abs(bodies.y[slot]));
+        return LOST * (Math.nextUp(far) - far);
     }
 
     /**

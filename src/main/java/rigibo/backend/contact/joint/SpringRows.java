@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.geometry.Exponential;
 import rigibo.backend.storage.JointStore;
 
 /**
@@ -68,7 +69,7 @@ final class SpringRows {
         } else if (c > 0) {
             // If nothing else acts, this is the exact decay rather than an approximation.
             double decay = kick * c * rows.response[row] / 2;
-            double half = decay == 0 ? 0 : StrictMath.tanh(decay) / rows.response[row];
+            double half = decay == 0 ? 0 : Exponential.tanh(decay) / rows.response[row];
             rows.give[row] = 1 / half;
             rows.target[row] = -rows.speed(row) - kick * k * away / half;
         } else {

@@ -1,5 +1,6 @@
 package rigibo.backend.contact.row;
 
+import rigibo.backend.geometry.Exponential;
 import rigibo.backend.storage.Bodies;
 
 /**
@@ -32,7 +33,7 @@ public final class DragKick {
                 double ax = bodies.accelerationX[slot];
                 double ay = bodies.accelerationY[slot];
                 if (k > 0) {
-                    double lost = -StrictMath.expm1(-k * h);
+                    double lost = -Exponential.expm1(-k * h);
                     m[at + Motions.VX] += lost * (ax / k - motions.frameX - m[at + Motions.VX]);
                     m[at + Motions.VY] += lost * (ay / k - motions.frameY - m[at + Motions.VY]);
                 } else {

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Ball;
 import rigibo.frontend.puzzle.level.Clickable;
@@ -106,7 +107,7 @@ final class FalseLeads {
     }
 
     private static double moved(RigidBody body, Ball ball) {
-        return Math.hypot(body.x() - ball.x(), body.y() - ball.y());
+        return Length.hypot(body.x() - ball.x(), body.y() - ball.y());
     }
 
     private static boolean isBallLost(PuzzleGame game) {
@@ -128,7 +129,7 @@ final class FalseLeads {
     private static double distance(PuzzleGame game) {
         RigidBody platform = game.platform();
         return game.balls().stream()
-                .mapToDouble(ball -> Math.hypot(ball.x() - platform.x(), ball.y() - platform.y()))
+                .mapToDouble(ball -> Length.hypot(ball.x() - platform.x(), ball.y() - platform.y()))
                 .min()
                 .orElseThrow();
     }

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Length;
 import rigibo.frontend.puzzle.level.Ball;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LoadedLevel;
@@ -82,7 +83,7 @@ final class RestCheck {
     }
 
     private static double moved(RigidBody body, double x, double y) {
-        return Math.hypot(body.x() - x, body.y() - y);
+        return Length.hypot(body.x() - x, body.y() - y);
     }
 
     private static void report(LoadedLevel loaded, String pointer, String what, double metres) {

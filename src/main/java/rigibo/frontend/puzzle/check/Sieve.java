@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Click;
 import rigibo.frontend.puzzle.level.Level;
@@ -81,7 +82,7 @@ public final class Sieve {
             double x = ball.x();
             double y = ball.y();
             trial.step();
-            travel += Math.hypot(ball.x() - x, ball.y() - y);
+            travel += Length.hypot(ball.x() - x, ball.y() - y);
         }
         games.count(trial.game().steps());
         return travel;

@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle.generate;
 
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Length;
 import rigibo.frontend.puzzle.level.Substance;
 
 import tools.jackson.databind.node.ArrayNode;
@@ -100,12 +102,12 @@ final class Plan {
     /** A board that a click deletes, by the ends of its lower surface; returns its id. */
     String board(String role, Spot from, Spot to, double thickness) {
         String id = free(role);
-        double angle = StrictMath.atan2(to.y() - from.y(), to.x() - from.x());
-        double x = (from.x() + to.x()) / 2 - StrictMath.sin(angle) * thickness / 2;
-        double y = (from.y() + to.y()) / 2 + StrictMath.cos(angle) * thickness / 2;
-        double length = Math.hypot(to.x() - from.x(), to.y() - from.y());
+        double angle = Angle.atan2(to.y() - from.y(), to.x() - from.x());
+        double x = (from.x() + to.x()) / 2 - Angle.sin(angle) * thickness / 2;
+        double y = (from.y() + to.y()) / 2 + Angle.cos(angle) * thickness / 2;
+        double length = Length.hypot(to.x() - from.x(), to.y() - from.y());
         ObjectNode board = rectangle(id, x, y, length, thickness);
-        double degrees = rounded(Math.toDegrees(angle));
+        double degrees = rounded(Angle.inDegrees(angle));
         board.put("angle", isMirrored ? -degrees : degrees);
         deletable(board);
         return id;

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.backend.geometry.Aabb;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
@@ -17,8 +18,8 @@ import rigibo.backend.setup.BodyType;
 record Footprint(BodyDefinition body, double[][] corners, Aabb bounds) {
 
     static Footprint of(BodyDefinition body) {
-        double cos = StrictMath.cos(body.angle());
-        double sin = StrictMath.sin(body.angle());
+        double cos = Angle.cos(body.angle());
+        double sin = Angle.sin(body.angle());
         Shape shape = body.shape();
         double[][] corners = new double[shape.parts()][];
         for (int part = 0; part < corners.length; part++) {

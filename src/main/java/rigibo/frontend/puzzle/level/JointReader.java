@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.setup.JointLimits;
 import rigibo.backend.setup.JointMotor;
 import rigibo.backend.setup.JointSettings;
@@ -28,7 +30,7 @@ final class JointReader {
         double toX = node.path(second).path(0).asDouble();
         double toY = node.path(second).path(1).asDouble();
         double usualAxis = type == LevelJoint.Type.WHEEL ? UPRIGHT : 0;
-        double length = node.path("length").asDouble(Math.hypot(toX - x, toY - y));
+        double length = node.path("length").asDouble(Length.hypot(toX - x, toY - y));
         return new LevelJoint(
                 type,
                 node.path("a").asString(),
@@ -37,7 +39,7 @@ final class JointReader {
                 y,
                 toX,
                 toY,
-                Math.toRadians(node.path("axis").asDouble(usualAxis)),
+                Angle.ofDegrees(node.path("axis").asDouble(usualAxis)),
                 length,
                 settings(node, type, length),
                 Optional.of(node.path("id").asString("")).filter(id -> !id.isEmpty()),
@@ -75,7 +77,7 @@ final class JointReader {
         if (!limits.isArray() || limits.path(0).asDouble() > limits.path(1).asDouble()) {
             return JointLimits.NONE;
         }
-        double unit = type == LevelJoint.Type.HINGE ? Math.toRadians(1) : 1;
+        double unit = type == LevelJoint.Type.HINGE ? Angle.ofDegrees(1) : 1;
         return new JointLimits(
                 unit * limits.path(0).asDouble(), unit * limits.path(1).asDouble(), 0);
     }

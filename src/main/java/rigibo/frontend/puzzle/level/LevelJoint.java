@@ -7,6 +7,7 @@ import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
 import rigibo.backend.WheelJoint;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.setup.JointMotor;
 import rigibo.backend.setup.JointSettings;
 
@@ -100,7 +101,7 @@ public record LevelJoint(
 
     /** From end to end, m. */
     double span() {
-        return Math.hypot(toX - x, toY - y);
+        return Length.hypot(toX - x, toY - y);
     }
 
     /** What the engine is told, with the bodies where the level puts them. */

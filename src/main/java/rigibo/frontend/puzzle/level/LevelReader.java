@@ -17,6 +17,7 @@ import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.setup.Material;
 
 import tools.jackson.databind.JsonNode;
@@ -127,13 +128,13 @@ final class LevelReader {
                 node.path("y").asDouble(),
                 node.path("w").asDouble(),
                 node.path("h").asDouble(Platform.USUAL_HEIGHT),
-                Math.toRadians(node.path("angle").asDouble(0)));
+                Angle.ofDegrees(node.path("angle").asDouble(0)));
     }
 
     static LevelBody body(JsonNode node, Outline outline) {
-        double angle = Math.toRadians(node.path("angle").asDouble(0));
-        double cos = StrictMath.cos(angle);
-        double sin = StrictMath.sin(angle);
+        double angle = Angle.ofDegrees(node.path("angle").asDouble(0));
+        double cos = Angle.cos(angle);
+        double sin = Angle.sin(angle);
         Substance substance = Substance.titled(node.path("material").asString());
         double x =
                 node.path("x").asDouble() + cos * outline.centroidX() - sin * outline.centroidY();
@@ -169,9 +170,9 @@ final class LevelReader {
         if (path.isMissingNode()) {
             return Optional.empty();
         }
-        double angle = Math.toRadians(body.path("angle").asDouble(0));
-        double cos = StrictMath.cos(angle);
-        double sin = StrictMath.sin(angle);
+        double angle = Angle.ofDegrees(body.path("angle").asDouble(0));
+        double cos = Angle.cos(angle);
+        double sin = Angle.sin(angle);
         double dx = cos * outline.centroidX() - sin * outline.centroidY();
         double dy = sin * outline.centroidX() + cos * outline.centroidY();
         List<LevelPath.Stop> stops = new ArrayList<>();
@@ -209,8 +210,8 @@ final class LevelReader {
         if (!node.has("oneWay")) {
             return plain;
         }
-        double side = Math.toRadians(node.path("oneWay").asDouble());
-        return plain.oneWay(StrictMath.cos(side), StrictMath.sin(side));
+        double side = Angle.ofDegrees(node.path("oneWay").asDouble());
+        return plain.oneWay(Angle.cos(side), Angle.sin(side));
     }
 
     private static Material sidedAlike(JsonNode node, Material usual) {

@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
@@ -77,9 +78,9 @@ public record Outline(Shape shape, double centroidX, double centroidY) {
         if (!(own.shape instanceof Convex convex)) {
             throw new IllegalArgumentException("a part must be in one piece");
         }
-        double angle = Math.toRadians(number(node, "angle"));
-        double cos = StrictMath.cos(angle);
-        double sin = StrictMath.sin(angle);
+        double angle = Angle.ofDegrees(number(node, "angle"));
+        double cos = Angle.cos(angle);
+        double sin = Angle.sin(angle);
         return Part.of(convex)
                 .at(
                         number(node, "x") + cos * own.centroidX - sin * own.centroidY,

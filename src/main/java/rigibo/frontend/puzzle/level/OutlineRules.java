@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.geometry.Length;
 import rigibo.frontend.document.Document;
 
 import tools.jackson.databind.JsonNode;
@@ -108,7 +109,8 @@ final class OutlineRules {
             double uy = y(points, i) - y(points, before);
             double wx = x(points, after) - x(points, i);
             double wy = y(points, after) - y(points, i);
-            double sine = direction * (ux * wy - uy * wx) / Math.hypot(ux, uy) / Math.hypot(wx, wy);
+            double sine =
+                    direction * (ux * wy - uy * wx) / Length.hypot(ux, uy) / Length.hypot(wx, wy);
             if (!(sine > LEAST_SINE)) {
                 return i;
             }

@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.backend.geometry.Length;
+
 /**
  * Depth of the overlap of two placed bodies: that of their two deepest parts. Overlapping cores are
  * measured along the edge normal with the least depth (separating axis theorem), separate cores by
@@ -48,7 +50,7 @@ final class Overlap {
 
     private static double length(double[] xy, int i) {
         int next = (i + 2) % xy.length;
-        return Math.hypot(xy[next] - xy[i], xy[next + 1] - xy[i + 1]);
+        return Length.hypot(xy[next] - xy[i], xy[next + 1] - xy[i + 1]);
     }
 
     /** From the edges of the first core to the nearest corner of the second. */
@@ -69,6 +71,6 @@ final class Overlap {
         double square = edgeX * edgeX + edgeY * edgeY;
         double along = (x - xy[i]) * edgeX + (y - xy[i + 1]) * edgeY;
         double t = square > 0 ? Math.max(0, Math.min(1, along / square)) : 0;
-        return Math.hypot(x - xy[i] - t * edgeX, y - xy[i + 1] - t * edgeY);
+        return Length.hypot(x - xy[i] - t * edgeX, y - xy[i + 1] - t * edgeY);
     }
 }

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.backend.geometry.Chain;
+import rigibo.backend.geometry.Length;
 import rigibo.frontend.document.Document;
 
 import tools.jackson.databind.JsonNode;
@@ -51,7 +52,7 @@ final class PathRules {
             requireWay(
                     sketch,
                     body.pointer() + "/path/points/" + i,
-                    Math.hypot(stop.x() - x, stop.y() - y));
+                    Length.hypot(stop.x() - x, stop.y() - y));
             x = stop.x();
             y = stop.y();
         }

@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.level;
 
 import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Magnet;
+import rigibo.backend.geometry.Angle;
 
 import tools.jackson.databind.JsonNode;
 
@@ -34,7 +35,7 @@ public record Source(Optional<Fan.Jet> jet, Optional<Magnet.Pole> pole) {
         return new Fan.Jet(
                 x,
                 y,
-                angle + Math.toRadians(fan.path("angle").asDouble(UPWARDS)),
+                angle + Angle.ofDegrees(fan.path("angle").asDouble(UPWARDS)),
                 fan.path("width").asDouble(),
                 fan.path("reach").asDouble(),
                 fan.path("force").asDouble());

@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.rules;
 
 import rigibo.backend.Joint;
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.setup.JointMotor;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.puzzle.level.Verb;
@@ -119,6 +120,6 @@ public final class Link implements Target {
 
     /** Distance of a point of the world from what is drawn of it, m. */
     double distance(double x, double y) {
-        return isRope() ? line().distance(x, y) : Math.hypot(x - b.x(), y - b.y());
+        return isRope() ? line().distance(x, y) : Length.hypot(x - b.x(), y - b.y());
     }
 }

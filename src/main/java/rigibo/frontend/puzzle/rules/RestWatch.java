@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.rules;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.setup.BodyType;
 import rigibo.frontend.puzzle.level.Steps;
 
@@ -45,6 +46,6 @@ final class RestWatch {
             return true;
         }
         double rim = Math.abs(body.angularVelocity()) * body.shape().boundingRadius();
-        return Math.hypot(body.velocityX(), body.velocityY()) + rim < STILL;
+        return Length.hypot(body.velocityX(), body.velocityY()) + rim < STILL;
     }
 }

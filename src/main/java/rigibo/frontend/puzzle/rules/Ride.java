@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.rules;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Length;
 import rigibo.frontend.puzzle.level.LevelBody;
 import rigibo.frontend.puzzle.level.LevelPath;
 import rigibo.frontend.puzzle.level.Steps;
@@ -55,7 +56,7 @@ final class Ride {
         LevelPath.Stop from = places.get(at);
         at = next();
         LevelPath.Stop to = places.get(at);
-        double metres = Math.hypot(to.x() - from.x(), to.y() - from.y());
+        double metres = Length.hypot(to.x() - from.x(), to.y() - from.y());
         int steps = Math.max(1, Steps.of(metres / path.speed()));
         body.driveTo(to.x(), to.y(), angle, Steps.seconds(steps));
         boolean staysThere = path.end() == LevelPath.End.STAY && at == places.size() - 1;

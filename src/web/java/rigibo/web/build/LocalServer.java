@@ -1,0 +1,64 @@
+package rigibo.web.build;
+
+import com.sun.net.httpserver.HttpExchange;
+import com.sun.net.httpserver.HttpServer;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+
+/** Serves a folder to browsers on this machine, and to no other machine. */
+final class LocalServer implements AutoCloseable {
+
+    private static final Map<String, String> KINDS =
+            Map.of(
+                    "html", "text/html; charset=utf-8",
+                    "js", "text/javascript; charset=utf-8",
+                    "css", "text/css; charset=utf-8",
+                    "wasm", "application/wasm");
+
+    private static final int NOT_FOUND = 404;
+    private static final int FOUND = 200;
+
+    private final Path folder;
+    private final HttpServer server;
+
+    /** Serves at a port, or at any that is free where it is 0. */
+    LocalServer(Path folder, int port) throws IOException {
+        this.folder = folder.toAbsolutePath().normalize();
+        server =
+                HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0);
+        server.createContext("/", this::answer);
+        server.start();
+    }
+
+    /** Where a page of the folder is found. */
+    String address(String page) {
+        return "http://localhost:" + server.getAddress().getPort() + "/" + page;
+    }
+
+    private void answer(HttpExchange asked) throws IOException {
+        String name = asked.getRequestURI().getPath().substring(1);
+        Path file = folder.resolve(name.isEmpty() ? "index.html" : name).normalize();
+        try (asked) {
+            if (!file.startsWith(folder) || !Files.isRegularFile(file)) {
+                asked.sendResponseHeaders(NOT_FOUND, -1);
+                return;
+            }
+            String ending = name.substring(name.lastIndexOf('.') + 1);
+            asked.getResponseHeaders()
+                    .set("Content-Type", KINDS.getOrDefault(ending, KINDS.get("html")));
+            byte[] bytes = Files.readAllBytes(file);
+            asked.sendResponseHeaders(FOUND, bytes.length);
+            asked.getResponseBody().write(bytes);
+        }
+    }
+
+    @Override
+    public void close() {
+        server.stop(0);
+    }
+}

@@ -1,0 +1,80 @@
+package rigibo.web.build;
+
+import org.teavm.tooling.TeaVMTargetType;
+import org.teavm.tooling.TeaVMTool;
+import org.teavm.tooling.TeaVMToolException;
+import org.teavm.vm.TeaVMOptimizationLevel;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/**
+ * Writes the folder of static files that is the page. Programs become WebAssembly: TeaVM's
+ * JavaScript leaves out the parentheses of a + (b + c), which changes the last bit of sums
+ * (decision 0128).
+ */
+final class PageBuild {
+
+    private final Path folder;
+
+    PageBuild(Path folder) {
+        this.folder = folder;
+    }
+
+    /** Makes all of it anew. */
+    void build() throws IOException, TeaVMToolException {
+        buildBits();
+        copy("/web/gallery.js", "gallery.js");
+        copy("/web/gallery.css", "gallery.css");
+        GalleryText.write(folder.resolve("index.html"), Locale.ENGLISH);
+        GalleryText.write(folder.resolve("de.html"), Locale.GERMAN);
+        compile("rigibo.web.gallery.GalleryPage", "gallery.wasm");
+    }
+
+    /** Makes the page that shows what programs come to. */
+    void buildBits() throws IOException, TeaVMToolException {
+        Files.createDirectories(folder);
+        copy("/web/bits.html", "bits.html");
+        copy("/web/bits.js", "bits.js");
+        copy("/org/teavm/backend/wasm/wasm-gc-runtime.min.js", "wasm-gc-runtime.js");
+        compile("rigibo.web.Bits", "bits.wasm");
+    }
+
+    private void copy(String resource, String file) throws IOException {
+        try (InputStream from = PageBuild.class.getResourceAsStream(resource)) {
+            Files.copy(from, folder.resolve(file), StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+
+    private void compile(String start, String file) throws TeaVMToolException {
+        TeaVMTool tool = new TeaVMTool();
+        tool.setTargetType(TeaVMTargetType.WEBASSEMBLY_GC);
+        tool.setMainClass(start);
+        tool.setTargetDirectory(folder.toFile());
+        tool.setTargetFileName(file);
+        tool.setOptimizationLevel(TeaVMOptimizationLevel.ADVANCED);
+        tool.setObfuscated(true);
+        tool.setStrict(true);
+        tool.setClassLoader(PageBuild.class.getClassLoader());
+        tool.setClassPath(classPath());
+        tool.generate();
+        String problems = Problems.of(tool.getProblemProvider());
+        if (!problems.isEmpty()) {
+            throw new TeaVMToolException(start + " cannot run in a browser:\n" + problems);
+        }
+    }
+
+    private static List<File> classPath() {
+        return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+                .map(File::new)
+                .collect(Collectors.toList());
+    }
+}

@@ -1,0 +1,26 @@
+package rigibo.web.build;
+
+import org.teavm.diagnostics.DefaultProblemTextConsumer;
+import org.teavm.diagnostics.Problem;
+import org.teavm.diagnostics.ProblemProvider;
+
+import java.util.stream.Collectors;
+
+/** What the compiler finds missing in a browser, as text. */
+final class Problems {
+
+    private Problems() {}
+
+    /** A line for each problem; empty where there is none. */
+    static String of(ProblemProvider provider) {
+        return provider.getProblems().stream()
+                .map(Problems::line)
+                .collect(Collectors.joining("\n"));
+    }
+
+    private static String line(Problem problem) {
+        DefaultProblemTextConsumer words = new DefaultProblemTextConsumer();
+        problem.render(words);
+        return words.getText() + " (" + problem.getLocation().getSourceLocation() + ")";
+    }
+}
