@@ -63,6 +63,7 @@ final class PageBuild {
         tool.setOptimizationLevel(TeaVMOptimizationLevel.ADVANCED);
         tool.setObfuscated(true);
         tool.setStrict(true);
+        tool.getTransformers().add(SignedZeros.class.getName());
         tool.setClassLoader(PageBuild.class.getClassLoader());
         tool.setClassPath(classPath());
         tool.generate();
