@@ -1,5 +1,6 @@
 package rigibo.backend;
 
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Outline;
 
 import java.util.Arrays;
@@ -15,8 +16,8 @@ final class DrawnOutline {
 
     static {
         for (int i = 0; i < ROUND; i++) {
-            COS[i] = StrictMath.cos(2 * StrictMath.PI * i / ROUND);
-            SIN[i] = StrictMath.sin(2 * StrictMath.PI * i / ROUND);
+            COS[i] = Angle.cos(2 * StrictMath.PI * i / ROUND);
+            SIN[i] = Angle.sin(2 * StrictMath.PI * i / ROUND);
         }
     }
 
@@ -52,13 +53,13 @@ final class DrawnOutline {
         double fromY = radius * outline.normalY(before);
         double toX = radius * outline.normalX(corner);
         double toY = radius * outline.normalY(corner);
-        double angle = StrictMath.atan2(fromX * toY - fromY * toX, fromX * toX + fromY * toY);
+        double angle = Angle.atan2(fromX * toY - fromY * toX, fromX * toX + fromY * toY);
         // Half a turn, at the end of a capsule, may come out as a negative one by round-off.
         angle = angle < 0 ? angle + 2 * StrictMath.PI : angle;
         int chords = Math.max(1, (int) StrictMath.ceil(angle * ROUND / (2 * StrictMath.PI)));
         for (int i = 0; i <= chords; i++) {
-            double cos = StrictMath.cos(angle * i / chords);
-            double sin = StrictMath.sin(angle * i / chords);
+            double cos = Angle.cos(angle * i / chords);
+            double sin = Angle.sin(angle * i / chords);
             add(body, outline, corner, cos * fromX - sin * fromY, sin * fromX + cos * fromY);
         }
     }

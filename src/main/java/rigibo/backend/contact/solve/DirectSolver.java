@@ -80,7 +80,7 @@ public final class DirectSolver {
         rows = new FlatRows(motions, contacts, order);
         factor = new RowFactor(contacts, rows, order);
         newton = new NewtonSolver(motions, contacts, order, rows, factor);
-        held = new HeldOverlap(motions, contacts, overlap, order, rows);
+        held = new HeldOverlap(motions, contacts, overlap, order, rows, factor);
         mostTries = TRIES_PER_SUBSTEP * substeps;
     }
 
@@ -101,6 +101,7 @@ public final class DirectSolver {
             return false;
         }
         worth = worthOfSubstep;
+        held.reserve();
         forget();
         order.find();
         return factor.workOfAll() <= worth;

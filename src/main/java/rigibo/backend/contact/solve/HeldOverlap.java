@@ -64,13 +64,14 @@ final class HeldOverlap {
             PackedContacts contacts,
             OverlapSolver overlap,
             ContactOrder order,
-            FlatRows rows) {
+            FlatRows rows,
+            RowFactor factor) {
         this.motions = motions;
         this.contacts = contacts;
         this.overlap = overlap;
         this.order = order;
         this.rows = rows;
-        factor = new RowFactor(contacts, rows, order);
+        this.factor = factor;
         way = new Displacement(motions);
     }
 
@@ -79,7 +80,6 @@ final class HeldOverlap {
      * body gains {@code gained} m/s in the step.
      */
     void correct(double h, int substep, double gained) {
-        reserve();
         fading = FADES * gained;
         Arrays.fill(rows.sliding, 0, contacts.count, 0);
         size = 0;
@@ -91,11 +91,7 @@ final class HeldOverlap {
                 widest = Math.max(widest, width);
             }
         }
-        factor.forget();
-        factor.factorize(set, size, give);
-        factor.solve(unknown);
-        contacts.work.multiplications += factor.work();
-        factor.clearWork();
+        solve();
         way.begin();
         for (int i = 0; i < size; i++) {
             rows.move(set[i], unknown[i]);
@@ -103,7 +99,18 @@ final class HeldOverlap {
         limitWay(overlap.mostPush() * widest * h);
     }
 
-    private void reserve() {
+    /** Solves the set, in the memory of the factor of velocities, which is lost. */
+    private void solve() {
+        factor.forget();
+        factor.clearWork();
+        factor.factorize(set, size, give);
+        factor.solve(unknown);
+        contacts.work.multiplications += factor.work();
+        factor.forget();
+    }
+
+    /** Makes room for the packed island, so that no later step has to. */
+    void reserve() {
         if (give.length < KINDS * contacts.count) {
             int capacity = KINDS * contacts.pair.length;
             set = new int[capacity];
