@@ -3,22 +3,20 @@ package rigibo.web.gallery;
 import org.teavm.jso.canvas.CanvasRenderingContext2D;
 import org.teavm.jso.dom.html.HTMLCanvasElement;
 
+import rigibo.backend.DebugDraw;
+import rigibo.backend.Joint;
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Shape;
-import rigibo.backend.setup.BodyType;
 import rigibo.frontend.gallery.Sketch;
 import rigibo.frontend.gallery.View;
 
 /** Draws a pool on a canvas, as many pixels wide and high as it is shown, and the sketch above. */
-final class CanvasPainter implements Sketch {
+final class CanvasPainter implements Sketch, DebugDraw {
 
     private static final String EDGE = "#12152a";
-    private static final String STILL = "#6c7486";
-    private static final String DRIVEN = "#4f9fbd";
-    private static final String MOVING = "#e8a04c";
-    private static final String ASLEEP = "#a8743a";
     private static final String GLASS = "rgba(244,241,230,0.35)";
     private static final String TEXT = "#f4f1e6";
 
@@ -44,9 +42,7 @@ final class CanvasPainter implements Sketch {
         fit(running.exhibit.view());
         pen.clearRect(0, 0, canvas.getWidth(), canvas.getHeight());
         pen.setLineJoin("round");
-        for (RigidBody body : running.pool.bodies()) {
-            draw(body);
-        }
+        running.pool.draw(this, Layer.SHAPES, Layer.JOINTS);
         running.exhibit.sketch(running.pool, this);
     }
 
@@ -71,29 +67,49 @@ final class CanvasPainter implements Sketch {
         return (top - y) * scale;
     }
 
-    private void draw(RigidBody body) {
-        Shape shape = body.shape();
-        double cos = Math.cos(body.angle());
-        double sin = Math.sin(body.angle());
-        pen.setStrokeStyle(EDGE);
-        pen.setLineWidth(ratio);
-        for (int part = 0; part < shape.parts(); part++) {
-            Outline outline = shape.outline(part);
-            pen.setFillStyle(shape.isSensor(part) ? GLASS : color(body));
-            trace(outline, body.x(), body.y(), cos, sin);
-            pen.fill();
-            pen.stroke();
-            if (outline.isDisc()) {
-                spoke(outline, body.x(), body.y(), cos, sin);
-            }
+    @Override
+    public void outline(RigidBody body, double[] x, double[] y, int points, Look look) {
+        pen.beginPath();
+        for (int i = 0; i < points; i++) {
+            pen.lineTo(screenX(x[i]), screenY(y[i]));
+        }
+        pen.closePath();
+        pen.setFillStyle(color(look));
+        pen.fill();
+        // An edge of a chain has no inside that could show it.
+        pen.setStrokeStyle(points > 2 ? EDGE : color(look));
+        pen.setLineWidth(points > 2 ? ratio : 2.5 * ratio);
+        pen.stroke();
+        if (body.shape() instanceof Circle) {
+            stroke(body.x(), body.y(), x[0], y[0]);
         }
     }
 
-    private static String color(RigidBody body) {
-        if (body.type() != BodyType.DYNAMIC) {
-            return body.type() == BodyType.STATIC ? STILL : DRIVEN;
-        }
-        return body.isAwake() ? MOVING : ASLEEP;
+    private static String color(Look look) {
+        return switch (look) {
+            case FIXED -> "#6c7486";
+            case DRIVEN -> "#4f9fbd";
+            case AWAKE -> "#e8a04c";
+            case ASLEEP -> "#a8743a";
+            case SENSOR, DISABLED -> GLASS;
+        };
+    }
+
+    /** A pin where the two anchors are one, else a line between two pins. */
+    @Override
+    public void joint(Joint joint) {
+        pen.setStrokeStyle(TEXT);
+        pen.setLineWidth(1.5 * ratio);
+        stroke(joint.xA(), joint.yA(), joint.xB(), joint.yB());
+        dot(joint.xA(), joint.yA(), 2.5, TEXT);
+        dot(joint.xB(), joint.yB(), 2.5, TEXT);
+    }
+
+    private void dot(double x, double y, double radius, String color) {
+        pen.setFillStyle(color);
+        pen.beginPath();
+        pen.arc(screenX(x), screenY(y), radius * ratio, 0, 2 * Math.PI);
+        pen.fill();
     }
 
     /** An arc about each corner joins its edges; of a sharp one it is a point. */
@@ -117,13 +133,6 @@ final class CanvasPainter implements Sketch {
             }
         }
         pen.closePath();
-    }
-
-    /** By which a disc is seen to turn. */
-    private void spoke(Outline disc, double x, double y, double cos, double sin) {
-        double fromX = x + cos * disc.cornerX(0) - sin * disc.cornerY(0);
-        double fromY = y + sin * disc.cornerX(0) + cos * disc.cornerY(0);
-        stroke(fromX, fromY, fromX + cos * disc.radius(), fromY + sin * disc.radius());
     }
 
     private void stroke(double x1, double y1, double x2, double y2) {
@@ -150,10 +159,7 @@ final class CanvasPainter implements Sketch {
 
     @Override
     public void point(double x, double y, Tone tone) {
-        pen.setFillStyle(color(tone));
-        pen.beginPath();
-        pen.arc(screenX(x), screenY(y), 4.5 * ratio, 0, 2 * Math.PI);
-        pen.fill();
+        dot(x, y, 4.5, color(tone));
     }
 
     @Override
