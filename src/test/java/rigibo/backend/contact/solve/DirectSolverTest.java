@@ -170,6 +170,27 @@ class DirectSolverTest {
         assertThat(carried).isGreaterThan(50);
     }
 
+    /** Two contacts where one would do: what comes to their load they share alike. */
+    @Test
+    void redundantContactsKeepTheSharesThatTheyHave() {
+        island.begin(1);
+        island.body(1, 1, 0);
+        island.motions.data[Motions.STRIDE + Motions.VY] = -0.1;
+        double[] carried = {0.7, 0.3};
+        for (int row = 0; row < 2; row++) {
+            island.onGround(1, 0.5, 0.5);
+            set(row, PackedContacts.MASS_T, 1);
+            set(row, PackedContacts.IMPULSE0, carried[row]);
+        }
+        direct.prepare(PLENTY, true, GAINED);
+        direct.begin();
+        direct.solve(H, 0, SETTLED);
+        for (int row = 0; row < 2; row++) {
+            assertThat(of(row, PackedContacts.IMPULSE0))
+                    .isCloseTo(carried[row] + 0.05, within(SOLVED));
+        }
+    }
+
     /** Newton's method from the solution of a slightly other problem. */
     @Test
     void newtonFindsWhatIsNear() {
