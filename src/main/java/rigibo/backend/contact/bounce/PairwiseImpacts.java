@@ -198,6 +198,9 @@ final class PairwiseImpacts {
         return v < limit && v < -ROUND_OFF && motions.gap(contacts, row, point) + h * v < 0;
     }
 
+    /** Share of the closing speed of a contact below which that of a point is round-off. */
+    private static final double HARDLY = 1e-9;
+
     /** Closing speed in m/s below which it is the residual of a solved row and not an impact. */
     private static final double ROUND_OFF = 1e-9;
 
@@ -276,10 +279,11 @@ final class PairwiseImpacts {
     /** Time of the first impact of a row's points within the substep of h seconds, s. */
     private double timeOf(int row, double h) {
         double time = h;
+        double least = HARDLY * -slowest(row);
         for (int point = 0; point < contacts.points[row]; point++) {
             if (meets(row, point, h)) {
                 double speed = -motions.parting(contacts, row, point);
-                if (speed > ROUND_OFF) {
+                if (speed > least) {
                     double gap = Math.max(0, motions.gap(contacts, row, point));
                     time = Math.min(time, gap / speed);
                 }
