@@ -23,7 +23,10 @@ public final class Angle {
     /** Smaller angles are their own sines and tangents, and have a cosine of 1. */
     private static final double TINY = 0x1p-27;
 
-    /** What is left of an angle must be larger, for n times the last part of π/2 is off by 2⁻⁹¹. */
+    /**
+     * Least reduced angle for which π/2 in three parts suffices: n times the last part is off by
+     * 2⁻⁹¹.
+     */
     private static final double LEAST_LEFT = 0x1p-30;
 
     /** Written out, for a library may multiply by π and divide by 180. */

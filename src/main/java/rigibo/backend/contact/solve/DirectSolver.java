@@ -33,7 +33,6 @@ public final class DirectSolver {
 
     private final Motions motions;
     private final PackedContacts contacts;
-    private final OverlapSolver overlap;
     private final FlatRows rows;
     private final ContactOrder order;
     private final RowFactor factor;
@@ -75,7 +74,6 @@ public final class DirectSolver {
             Motions motions, PackedContacts contacts, OverlapSolver overlap, int substeps) {
         this.motions = motions;
         this.contacts = contacts;
-        this.overlap = overlap;
         order = new ContactOrder(motions, contacts);
         rows = new FlatRows(motions, contacts, order);
         factor = new RowFactor(contacts, rows, order);
@@ -202,11 +200,9 @@ public final class DirectSolver {
 
     /** Removes the overlap of what carries ({@link HeldOverlap}), after a substep of h seconds. */
     public void correct(double h, int substep) {
-        if (overlap.isAnyWanted(0, h, substep)) {
-            layOut();
-            rows.read(h);
-            held.correct(h, substep, free);
-        }
+        layOut();
+        rows.read(h);
+        held.correct(h, substep, free);
     }
 
     private void chooseLoaded(int substep) {

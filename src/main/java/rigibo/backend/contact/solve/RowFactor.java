@@ -94,22 +94,6 @@ final class RowFactor {
         factor.lay(0);
     }
 
-    /** Number of factored rows; 0 without a factor. */
-    int size() {
-        return size;
-    }
-
-    /** Whether no contact of the factored set slides. */
-    boolean isSymmetric() {
-        return isSymmetric;
-    }
-
-    /** Writes the factored set and returns its size. */
-    int writeSet(int[] to) {
-        System.arraycopy(factored, 0, to, 0, size);
-        return size;
-    }
-
     private void reserve() {
         if (withHubs.length < FlatRows.KINDS * contacts.count + MOST_OF_HUBS) {
             int capacity = FlatRows.KINDS * contacts.pair.length;
