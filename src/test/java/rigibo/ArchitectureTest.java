@@ -23,6 +23,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -36,6 +37,7 @@ class ArchitectureTest {
 
     private static final String BACKEND = "rigibo.backend";
     private static final String FRONTEND = "rigibo.frontend";
+    private static final String PUZZLE = FRONTEND + ".puzzle";
 
     /** The only room that knows threads: where there are none, nothing else is missing. */
     private static final String TEAM = BACKEND + ".team";
@@ -75,9 +77,9 @@ class ArchitectureTest {
     /** Whose classes make or judge what must be the same everywhere. */
     private static final String[] SAME_BITS_EVERYWHERE = {
         BACKEND + "..",
-        FRONTEND + ".puzzle.level..",
-        FRONTEND + ".puzzle.rules..",
-        FRONTEND + ".puzzle.generate..",
+        PUZZLE + ".level..",
+        PUZZLE + ".rules..",
+        PUZZLE + ".generate..",
         "rigibo.fuzz.program.."
     };
 
@@ -103,19 +105,37 @@ class ArchitectureTest {
             {"step"},
             {"saved"}
         };
+        return leftToRight(BACKEND, fromLeftToRight);
+    }
+
+    /** Rooms within the puzzle; what they use outside it is asked of the whole. */
+    static Stream<Room> puzzleRooms() {
+        String[][] fromLeftToRight = {
+            {"level"},
+            {"picture", "rules"},
+            {"check"},
+            {"generate"},
+            {"replay"},
+            {"session", "record"},
+            {"show", "endless"},
+            {"hud"}
+        };
+        return leftToRight(PUZZLE, fromLeftToRight);
+    }
+
+    /** Rooms that see those to their left, and the room they are in, which sees them all. */
+    private static Stream<Room> leftToRight(String whole, String[][] fromLeftToRight) {
         Stream.Builder<Room> rooms = Stream.builder();
         String[] left = {};
         for (String[] siblings : fromLeftToRight) {
             for (String name : siblings) {
-                rooms.add(new Room(BACKEND + "." + name, left));
+                rooms.add(new Room(whole + "." + name, left));
             }
             String[] names =
-                    Arrays.stream(siblings)
-                            .map(name -> BACKEND + "." + name)
-                            .toArray(String[]::new);
+                    Arrays.stream(siblings).map(name -> whole + "." + name).toArray(String[]::new);
             left = plus(left, names);
         }
-        return rooms.add(new Room(BACKEND, left)).build();
+        return rooms.add(new Room(whole, left)).build();
     }
 
     static Stream<Room> otherRooms() {
@@ -123,14 +143,13 @@ class ArchitectureTest {
         String[] withScene = plus(PUBLIC_FACE, scene);
         // How files are read, whatever they are about.
         String document = FRONTEND + ".document";
-        String puzzle = FRONTEND + ".puzzle";
         String save = FRONTEND + ".save";
         // Makes levels and plays what it makes.
         String editor = FRONTEND + ".editor";
         String[] plain = {
             FRONTEND + ".menu", FRONTEND + ".demo", FRONTEND + ".laboratory", FRONTEND + ".gallery"
         };
-        String[] scenes = plus(plain, puzzle);
+        String[] scenes = plus(plain, PUZZLE);
         Stream<Room> sceneRooms = Arrays.stream(plain).map(name -> new Room(name, withScene));
         String draw = FRONTEND + ".draw";
         String sound = FRONTEND + ".sound";
@@ -142,14 +161,14 @@ class ArchitectureTest {
                         new Room(sound, withScene),
                         new Room(document),
                         new Room(save, scene, document),
-                        new Room(puzzle, plus(withScene, save, document)),
+                        new Room(PUZZLE, plus(withScene, save, document)),
                         new Room(FRONTEND + ".display", plus(withScene, draw, sound)),
-                        new Room(editor, plus(withScene, puzzle, save, document)),
+                        new Room(editor, plus(withScene, PUZZLE, save, document)),
                         new Room(FRONTEND + ".catalog", plus(plus(withScene, scenes), editor)),
                         new Room("rigibo.film", scene, FRONTEND + ".display"),
                         // Reads what the game reads, as the game does.
                         new Room(
-                                "rigibo.fuzz", plus(withScene, puzzle, editor, FRONTEND + ".save")),
+                                "rigibo.fuzz", plus(withScene, PUZZLE, editor, FRONTEND + ".save")),
                         new Room("rigibo.lab", PUBLIC_FACE)));
     }
 
@@ -160,19 +179,40 @@ class ArchitectureTest {
     @ParameterizedTest
     @MethodSource({"backendRooms", "otherRooms"})
     void roomUsesOnlyRoomsToItsLeft(Room room) {
+        check(room, "rigibo", ArchitectureTest::roomOf);
+    }
+
+    @ParameterizedTest
+    @MethodSource("puzzleRooms")
+    void roomOfThePuzzleUsesOnlyRoomsToItsLeft(Room room) {
+        check(room, PUZZLE, JavaClass::getPackageName);
+    }
+
+    /** Of what a room uses, only that within the whole is asked for. */
+    private static void check(Room room, String whole, Function<JavaClass, String> roomOf) {
         Set<String> allowed = Arrays.stream(room.uses()).collect(Collectors.toSet());
         classes()
-                .that(areIn(room.name()))
+                .that(areIn(room.name(), roomOf))
                 .should()
                 .onlyDependOnClassesThat(
                         DescribedPredicate.describe(
                                 "are in " + room + " or to its left " + allowed,
                                 other ->
-                                        !other.getPackageName().startsWith("rigibo")
-                                                || roomOf(other).equals(room.name())
-                                                || allowed.contains(roomOf(other))))
+                                        !other.getPackageName().startsWith(whole)
+                                                || roomOf.apply(other).equals(room.name())
+                                                || allowed.contains(roomOf.apply(other))))
                 .allowEmptyShould(true)
                 .check(CLASSES);
+    }
+
+    @Test
+    void everyPackageOfThePuzzleIsOfARoom() {
+        Set<String> rooms = puzzleRooms().map(Room::name).collect(Collectors.toSet());
+        assertThat(CLASSES)
+                .extracting(JavaClass::getPackageName)
+                .filteredOn(name -> name.startsWith(PUZZLE))
+                .isNotEmpty()
+                .allMatch(rooms::contains);
     }
 
     @Test
@@ -201,8 +241,10 @@ class ArchitectureTest {
         return String.join(".", Arrays.copyOf(words, length));
     }
 
-    private static DescribedPredicate<JavaClass> areIn(String room) {
-        return DescribedPredicate.describe("are in " + room, type -> roomOf(type).equals(room));
+    private static DescribedPredicate<JavaClass> areIn(
+            String room, Function<JavaClass, String> roomOf) {
+        return DescribedPredicate.describe(
+                "are in " + room, type -> roomOf.apply(type).equals(room));
     }
 
     @Test

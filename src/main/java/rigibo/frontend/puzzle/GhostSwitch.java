@@ -1,5 +1,8 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.record.Tally;
+import rigibo.frontend.puzzle.session.BestRun;
+import rigibo.frontend.puzzle.session.Session;
 import rigibo.frontend.scene.Director;
 
 import java.util.Optional;

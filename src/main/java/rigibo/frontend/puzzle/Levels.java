@@ -3,10 +3,13 @@ package rigibo.frontend.puzzle;
 import org.tinylog.Logger;
 
 import rigibo.frontend.document.Problem;
+import rigibo.frontend.puzzle.endless.Day;
+import rigibo.frontend.puzzle.endless.Endless;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LoadedLevel;
+import rigibo.frontend.puzzle.picture.LevelPicture;
 import rigibo.frontend.scene.SceneEntry;
 
 import java.nio.file.Path;
@@ -65,7 +68,7 @@ public final class Levels {
     }
 
     /** The levels of the game that can be played, in the order of their files. */
-    static List<Level> all() {
+    public static List<Level> all() {
         return OfTheGame.LEVELS.stream().map(Placed::level).toList();
     }
 

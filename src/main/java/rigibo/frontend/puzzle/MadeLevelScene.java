@@ -1,8 +1,14 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.endless.Making;
+import rigibo.frontend.puzzle.endless.MakingNote;
+import rigibo.frontend.puzzle.endless.Occasion;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.picture.LevelPicture;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
@@ -62,13 +68,14 @@ final class MadeLevelScene implements TiledScene {
         List<Tile> laid = new ArrayList<>();
         laid.add(wayBack(director));
         if (making.made().isPresent()) {
-            double x = occasion.hasOther() ? PICTURE_LEFT : (WIDTH - BUTTON_WIDTH) / 2;
+            double x = occasion.next().isPresent() ? PICTURE_LEFT : (WIDTH - BUTTON_WIDTH) / 2;
             laid.add(tile(x, PLAY_TOP, BUTTON_WIDTH, words.of("menu.play"), this::play));
         }
-        if (occasion.hasOther()) {
-            double x = PICTURE_LEFT + PICTURE_SIZE - BUTTON_WIDTH;
-            laid.add(tile(x, PLAY_TOP, BUTTON_WIDTH, words.of("made.other"), this::other));
-        }
+        double right = PICTURE_LEFT + PICTURE_SIZE - BUTTON_WIDTH;
+        String another = words.of("made.other");
+        occasion.next()
+                .map(next -> tile(right, PLAY_TOP, BUTTON_WIDTH, another, () -> other(next)))
+                .ifPresent(laid::add);
         tiles = new Tiles(laid, chosen);
     }
 
@@ -85,12 +92,25 @@ final class MadeLevelScene implements TiledScene {
 
     private void play() {
         director.sounds().press();
-        making.made().ifPresent(made -> director.show(occasion.play(director, made)));
+        making.made().ifPresent(made -> director.show(play(director, occasion, made)));
     }
 
-    private void other() {
+    /** The scene in which a level is played that was made for an occasion. */
+    static Scene play(Director director, Occasion occasion, Making.Made made) {
+        Occasion played = occasion.of(made);
+        Level level = played.named(made.level(), director.words());
+        Sequel sequel =
+                played.next()
+                        .<Sequel>map(next -> new PreparedSequel(director, next))
+                        .orElseGet(Sequel::none);
+        return new PuzzleScene(director, level, played.ledger(director, level), sequel);
+    }
+
+    /** Goes on without solving this level. */
+    private void other(Occasion next) {
         director.sounds().press();
-        director.show(occasion.other(director));
+        next.reached(director);
+        director.show(new MadeLevelScene(director, next));
     }
 
     @Override

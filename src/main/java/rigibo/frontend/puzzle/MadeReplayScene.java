@@ -1,7 +1,10 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.endless.Making;
+import rigibo.frontend.puzzle.endless.MakingNote;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.replay.LoadedReplay;
+import rigibo.frontend.puzzle.replay.UnmadeReplay;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;

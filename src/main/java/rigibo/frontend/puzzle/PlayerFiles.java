@@ -12,6 +12,7 @@ import rigibo.frontend.puzzle.replay.LoadedReplay;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.replay.ReplayLoader;
 import rigibo.frontend.puzzle.replay.ReplayShelf;
+import rigibo.frontend.puzzle.replay.UnmadeReplay;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 

@@ -1,11 +1,20 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.hud.Command;
+import rigibo.frontend.puzzle.hud.Lesson;
+import rigibo.frontend.puzzle.hud.Panels;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
+import rigibo.frontend.puzzle.record.Ledger;
+import rigibo.frontend.puzzle.record.Tally;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.session.Session;
+import rigibo.frontend.puzzle.show.Refusal;
+import rigibo.frontend.puzzle.show.Table;
+import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Demonstration;
@@ -69,7 +78,7 @@ public final class PuzzleScene implements Scene {
     }
 
     private static boolean isSolved(Director director, Level level) {
-        return new LevelLedger(director, level).known().isSolved();
+        return director.progress().of(level.id(), level.hash()).isSolved();
     }
 
     private PuzzleScene(
@@ -86,7 +95,7 @@ public final class PuzzleScene implements Scene {
         this.isFirst = isFirst;
         session = new Session(level, Accuracy.GAME);
         view = new View(level);
-        table = new Table(session, view.camera(), new Noises(director.sounds(), session.game()));
+        table = new Table(session, view.camera(), director.sounds());
         this.lesson = lesson;
         panels = new Panels(level, session, view, director.words(), lesson, sequel.exits());
         ghost = new GhostSwitch(director, session, tally);
@@ -231,7 +240,7 @@ public final class PuzzleScene implements Scene {
 
     /** Selects what can be clicked, and no button. */
     private void cycle(int direction) {
-        panels.buttons().ifPresent(ButtonRow::letGo);
+        panels.letGo();
         table.cycle(direction);
     }
 
@@ -240,13 +249,12 @@ public final class PuzzleScene implements Scene {
      * clicked.
      */
     private void arrow(Key key) {
-        Optional<ButtonRow> buttons = panels.buttons();
         boolean isAcross = key == Key.LEFT || key == Key.RIGHT;
-        if (buttons.isPresent() && (isAcross || panels.isOver())) {
+        if (panels.hasButtons() && (isAcross || panels.isOver())) {
             table.letGo();
-            buttons.get().move(key == Key.LEFT || key == Key.UP ? -1 : 1);
+            panels.move(key == Key.LEFT || key == Key.UP ? -1 : 1);
         } else {
-            buttons.ifPresent(ButtonRow::letGo);
+            panels.letGo();
             table.move(key);
         }
     }
@@ -255,7 +263,7 @@ public final class PuzzleScene implements Scene {
     private void enter() {
         count();
         if (!table.clickChosen()) {
-            panels.buttons().flatMap(ButtonRow::chosen).ifPresent(this::run);
+            panels.chosen().ifPresent(this::run);
         }
     }
 
@@ -290,7 +298,7 @@ public final class PuzzleScene implements Scene {
     private void pause() {
         session.togglePause();
         table.letGo();
-        panels.buttons().ifPresent(ButtonRow::begin);
+        panels.begin();
     }
 
     private void restart() {

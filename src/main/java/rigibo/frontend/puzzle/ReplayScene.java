@@ -1,8 +1,10 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.hud.ReplayBar;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.replay.Verdict;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Demonstration;
@@ -69,14 +71,12 @@ final class ReplayScene implements Scene {
         PuzzleGame game = screening.game();
         screening.draw(canvas, motion());
         bar.draw(canvas, director.words(), game, state());
-        screening.verdict().ifPresent(verdict -> drawVerdict(canvas, verdict));
+        screening
+                .verdict()
+                .ifPresent(verdict -> bar.drawVerdict(canvas, director.words(), verdict));
         if (audience == Audience.PLAYER) {
             bar.drawKeys(canvas, director.words());
         }
-    }
-
-    private void drawVerdict(Canvas canvas, Verdict verdict) {
-        VerdictPlate.draw(canvas, director.words(), verdict, View.BAR_FOOT);
     }
 
     private String state() {

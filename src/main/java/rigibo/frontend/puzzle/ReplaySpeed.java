@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.session.Pace;
+
 /**
  * The speed of a replay, always in whole steps of 1/60 s, so that the run does not depend on it.
  */

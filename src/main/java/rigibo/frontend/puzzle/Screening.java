@@ -4,6 +4,8 @@ import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.replay.Verdict;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.session.Session;
+import rigibo.frontend.puzzle.show.Table;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Settings.Motion;
@@ -19,7 +21,7 @@ final class Screening {
 
     Screening(Recording recording, Camera camera, Sounds sounds) {
         session = Session.watching(recording);
-        table = new Table(session, camera, new Noises(sounds, session.game()));
+        table = new Table(session, camera, sounds);
     }
 
     /** Makes a turn of 1/60 s at a speed. */

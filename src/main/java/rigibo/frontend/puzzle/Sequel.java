@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.hud.Command;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
@@ -29,6 +30,11 @@ interface Sequel {
                         ? Optional.of(() -> new PuzzleScene(director, levels, number + 1))
                         : Optional.empty();
         return () -> next;
+    }
+
+    /** Nothing comes after the level. */
+    static Sequel none() {
+        return Optional::empty;
     }
 
     /** A level that is tried out in the editor, to which every way leads back. */

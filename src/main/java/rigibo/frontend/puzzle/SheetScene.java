@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle;
 
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.picture.LevelPicture;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;

@@ -4,6 +4,7 @@ import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Target;
+import rigibo.frontend.puzzle.session.Session;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Demonstration;
 

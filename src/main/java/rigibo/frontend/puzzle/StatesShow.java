@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.rules.Target;
+import rigibo.frontend.puzzle.session.Session;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;

@@ -9,6 +9,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelTexts;
+import rigibo.frontend.puzzle.record.Tally;
 import rigibo.frontend.puzzle.replay.Proof;
 import rigibo.frontend.puzzle.replay.ReplayShelf;
 import rigibo.frontend.puzzle.rules.Outcome;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;

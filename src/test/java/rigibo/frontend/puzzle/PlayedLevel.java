@@ -16,26 +16,26 @@ import java.util.List;
 import java.util.Set;
 
 /** A level with someone at the mouse and the keys, without a window. */
-final class PlayedLevel {
+public final class PlayedLevel {
 
     private static final String WALL = "\"material\": \"stone\", \"dynamic\": false";
     private static final String HINT = "\"title\"";
 
     /** Click, fall and hold are over by then, turns. */
-    static final int LONG_ENOUGH = 8 * 60;
+    public static final int LONG_ENOUGH = 8 * 60;
 
     /** Of the world on the screen while nothing is open above it, px per m. */
     private static final double SCALE = 80;
 
-    final RecordingDirector director = new RecordingDirector();
-    final Level level;
-    final Scene scene;
+    public final RecordingDirector director = new RecordingDirector();
+    public final Level level;
+    public final Scene scene;
 
-    PlayedLevel(Level level) {
+    public PlayedLevel(Level level) {
         this(level, "en", Motion.FULL);
     }
 
-    PlayedLevel(Level level, String language, Motion motion) {
+    public PlayedLevel(Level level, String language, Motion motion) {
         this.level = level;
         director.settings(director.settings().withLanguage(language).withMotion(motion));
         scene = new PuzzleScene(director, List.of(level, level), 0);
@@ -44,14 +44,14 @@ final class PlayedLevel {
     /**
      * The ball stands on "box", the box on the platform, and "wall" beside them can be deleted too.
      */
-    static Level twoBoxes() {
+    public static Level twoBoxes() {
         return LevelTexts.level(
                 LevelTexts.with(WALL, WALL + ", \"deletable\": true")
                         .replace(HINT, "\"hint\": {\"en\": \"Look below.\"}, " + HINT));
     }
 
     /** The ball rolls over the platform's edge and is lost, whatever is clicked. */
-    static Level rollingOff() {
+    public static Level rollingOff() {
         return LevelTexts.level(
                 LevelTexts.with(
                                 "\"y\": 2.7, \"radius\": 0.35",
@@ -61,7 +61,7 @@ final class PlayedLevel {
                                 "\"w\": 1, \"h\": 1}, \"x\": 3.2"));
     }
 
-    PlayedLevel turns(int count) {
+    public PlayedLevel turns(int count) {
         for (int i = 0; i < count; i++) {
             scene.step();
         }
@@ -69,67 +69,67 @@ final class PlayedLevel {
     }
 
     /** A click at a place of the world, m, while nothing is open above it. */
-    PlayedLevel click(double x, double y) {
+    public PlayedLevel click(double x, double y) {
         scene.pointerPressed(PointerButton.LEFT, x * SCALE, Scene.HEIGHT - y * SCALE);
         return this;
     }
 
-    PlayedLevel clickBox() {
+    public PlayedLevel clickBox() {
         clickBox(scene);
         return this;
     }
 
     /** A click on the box of {@link #twoBoxes} in a scene. */
-    static void clickBox(Scene scene) {
+    public static void clickBox(Scene scene) {
         scene.pointerPressed(PointerButton.LEFT, 4.5 * SCALE, Scene.HEIGHT - 1.85 * SCALE);
     }
 
-    PlayedLevel clickWall() {
+    public PlayedLevel clickWall() {
         return click(8, 2);
     }
 
     /** A click on the button that says so. */
-    PlayedLevel press(String words) {
+    public PlayedLevel press(String words) {
         double[] at = canvas().middleOf(words);
         scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
         return this;
     }
 
-    PlayedLevel keys(Key... keys) {
+    public PlayedLevel keys(Key... keys) {
         for (Key key : keys) {
             scene.keyPressed(key);
         }
         return this;
     }
 
-    PlayedLevel shiftTab() {
+    public PlayedLevel shiftTab() {
         scene.held(EnumSet.of(Modifier.SHIFT));
         scene.keyPressed(Key.TAB);
         scene.held(Set.of());
         return this;
     }
 
-    PlayedLevel solve() {
+    public PlayedLevel solve() {
         return clickBox().turns(LONG_ENOUGH);
     }
 
-    RecordingCanvas canvas() {
+    public RecordingCanvas canvas() {
         return RecordingCanvas.of(scene);
     }
 
-    List<String> texts() {
+    public List<String> texts() {
         return canvas().texts();
     }
 
     /** The bar's counts: clicks and time. */
-    String counts() {
+    public String counts() {
         return texts().stream()
                 .filter(words -> words.matches("\\d+ clicks? .*"))
                 .findFirst()
                 .orElseThrow();
     }
 
-    LevelProgress progress() {
+    public LevelProgress progress() {
         return director.progress().of(level.id(), level.hash());
     }
 }

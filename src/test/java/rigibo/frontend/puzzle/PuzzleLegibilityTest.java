@@ -6,6 +6,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;

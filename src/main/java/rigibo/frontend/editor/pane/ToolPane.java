@@ -1,8 +1,8 @@
 package rigibo.frontend.editor.pane;
 
 import rigibo.frontend.editor.desk.Desk;
-import rigibo.frontend.puzzle.Skins;
 import rigibo.frontend.puzzle.level.Substance;
+import rigibo.frontend.puzzle.picture.Skins;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 

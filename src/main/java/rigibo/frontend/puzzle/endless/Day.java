@@ -1,0 +1,110 @@
+package rigibo.frontend.puzzle.endless;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Wording;
+import rigibo.frontend.puzzle.record.Ledger;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.DayResult;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Words;
+
+import java.time.Clock;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.LongStream;
+
+/**
+ * The level of a day, which is the same for everybody: its seed is the date.
+ *
+ * @param date where the day begins first, by UTC
+ */
+public record Day(LocalDate date) implements Occasion {
+
+    /**
+     * Seeds of a day; a date without any level is very unlikely, and none goes without ten times.
+     */
+    private static final int SEEDS = 10;
+
+    /** Distance between the seeds of a day: more than any date has digits for. */
+    private static final long PITCH = 100_000_000;
+
+    private static final int YEAR = 10_000;
+    private static final int MONTH = 100;
+
+    /** The day that a clock shows in UTC, the same all over the world. */
+    public static Day of(Clock clock) {
+        return new Day(LocalDate.ofInstant(clock.instant(), ZoneOffset.UTC));
+    }
+
+    @Override
+    public List<Long> seeds() {
+        long first =
+                date.getYear() * (long) YEAR + date.getMonthValue() * MONTH + date.getDayOfMonth();
+        return LongStream.range(0, SEEDS).map(i -> first + i * PITCH).boxed().toList();
+    }
+
+    @Override
+    public String title(Words words) {
+        return words.of("made.day", date.toString());
+    }
+
+    @Override
+    public String resultsTitle(Director director) {
+        String kind = director.progress().days().isEmpty() ? "nothing" : "results";
+        return director.words().of("made.day." + kind);
+    }
+
+    @Override
+    public List<List<String>> results(Director director) {
+        List<List<String>> lines = new ArrayList<>();
+        director.progress()
+                .days()
+                .forEach((day, result) -> lines.add(line(director.words(), day, result)));
+        Collections.reverse(lines);
+        return lines;
+    }
+
+    private static List<String> line(Words words, LocalDate day, DayResult result) {
+        String time = String.format(Locale.ROOT, "%.2f", result.seconds());
+        return List.of(
+                day.toString(),
+                words.of("made.clicks", result.clicks()),
+                words.of("made.time", time));
+    }
+
+    /** All seeds of a day stand for that day. */
+    @Override
+    public Occasion of(Making.Made made) {
+        return this;
+    }
+
+    @Override
+    public Level named(Level level, Words words) {
+        return level.called("day-" + date, new Wording(Map.of("en", title(words))));
+    }
+
+    @Override
+    public Ledger ledger(Director director, Level level) {
+        return new MadeLedger(level, game -> keep(director, game));
+    }
+
+    private void keep(Director director, PuzzleGame game) {
+        DayResult result = new DayResult(game.clicks(), game.steps());
+        director.progress(director.progress().solvedDay(date, result));
+    }
+
+    @Override
+    public Optional<Occasion> next() {
+        return Optional.empty();
+    }
+
+    /** A day is remembered once it is solved. */
+    @Override
+    public void reached(Director director) {}
+}

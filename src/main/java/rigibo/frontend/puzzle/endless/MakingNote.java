@@ -1,0 +1,41 @@
+package rigibo.frontend.puzzle.endless;
+
+import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Print;
+
+/**
+ * Says that a level is being made, with dots that come one after the other, or that none can be.
+ */
+public final class MakingNote {
+
+    private static final int DOTS = 3;
+    private static final int DOT_STEPS = Steps.of(0.5);
+    private static final double DOT_PITCH = 26;
+
+    private MakingNote() {}
+
+    /**
+     * Draws it in the middle of the scene's width.
+     *
+     * @param y middle of it, px
+     * @param steps since it was first shown
+     */
+    public static void draw(
+            Canvas canvas, Words words, Making making, double y, int steps, Motion motion) {
+        double middle = Scene.WIDTH / 2.0;
+        if (making.isHopeless()) {
+            Print.centred(canvas, words.of("made.none"), middle, y, 18, Color.TEXT);
+            return;
+        }
+        Print.centred(canvas, words.of("made.making"), middle, y - 16, 18, Color.TEXT);
+        int shown = motion == Motion.REDUCED ? DOTS : steps / DOT_STEPS % (DOTS + 1);
+        for (int i = 0; i < shown; i++) {
+            canvas.disc(middle + (i - (DOTS - 1) / 2.0) * DOT_PITCH, y + 20, 6, Color.BRASS);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package rigibo.frontend.puzzle.hud;
+
+import rigibo.frontend.scene.Words;
+
+import java.util.Locale;
+
+/** The player's commands besides deleting a box. */
+public enum Command {
+    PAUSE,
+    RESUME,
+    RESTART,
+    UNDO,
+    SLOWER,
+    EFFECTS,
+    /** Shows the player's best run as a ghost beside the game. */
+    GHOST,
+    HINT,
+    /** Shows a stored solution. */
+    SOLUTION,
+    /** Shows the player's own winning try again. */
+    REPLAY,
+    /** Puts the winning try on the clipboard, as a code. */
+    COPY,
+    /** Ends what is being shown. */
+    STOP,
+    NEXT,
+    LEVELS,
+    MENU,
+    /** Ends the trial of a level in the making. */
+    EDITOR;
+
+    /** The label of its button. */
+    String words(Words words) {
+        return words.of("puzzle.command." + key(this));
+    }
+
+    /** Its key, if it has one. */
+    String keyWords(Words words) {
+        return words.of("puzzle.key." + key(this));
+    }
+
+    /** The last part of the key under which its words are found. */
+    static String key(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+}

@@ -1,0 +1,91 @@
+package rigibo.frontend.puzzle.hud;
+
+import rigibo.frontend.puzzle.level.Limits;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.show.View;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Medal;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
+
+import java.util.List;
+
+/**
+ * Clicks and time in the bar, over the best medal that is still to be had; what all of it means is
+ * told while the pointer is on it.
+ */
+final class Counts {
+
+    private static final double SIZE = 16;
+
+    /** From the middle of the bar to those of the two lines, px. */
+    private static final double ASIDE = 11;
+
+    /** The plate that tells what it means, px. */
+    private static final double EDGE = 8;
+
+    private static final double WIDTH = 380;
+    private static final double PADDING = 14;
+    private static final double LINE = 24;
+
+    private final Limits limits;
+
+    Counts(Limits limits) {
+        this.limits = limits;
+    }
+
+    /**
+     * Draws both lines, with their right ends at a place, px.
+     *
+     * @param clicks the colour of the clicks
+     * @return their left edge, px
+     */
+    double draw(Canvas canvas, Words words, PuzzleGame game, double right, double y, Color clicks) {
+        String counts = counts(words, limits, game);
+        canvas.text(
+                counts, right, y - ASIDE, SIZE, Canvas.Font.NUMBERS, Canvas.Align.RIGHT, clicks);
+        double wide = canvas.textWidth(counts, SIZE, Canvas.Font.NUMBERS);
+        if (game.isExperiment()) {
+            return right - wide;
+        }
+        Medal best = Medal.of(game.clicks(), limits.par());
+        String medal =
+                words.of("puzzle.still." + Command.key(best), limits.par(), limits.par() + 1);
+        Print.right(canvas, medal, right, y + ASIDE, SIZE, best.color());
+        return right - Math.max(wide, canvas.textWidth(medal, SIZE, Canvas.Font.WORDS));
+    }
+
+    /** Clicks, of the most where they are limited, and time. */
+    static String counts(Words words, Limits limits, PuzzleGame game) {
+        return limits.maxClicks().isPresent()
+                ? words.of(
+                        "puzzle.counts.limited",
+                        game.clicks(),
+                        game.seconds(),
+                        limits.maxClicks().getAsInt())
+                : words.of("puzzle.counts", game.clicks(), game.seconds());
+    }
+
+    /** Draws a plate below the bar that tells what medals, cooldown and hold are. */
+    void drawHelp(Canvas canvas, Words words) {
+        String told =
+                words.of(
+                        "puzzle.counts.help",
+                        limits.par(),
+                        limits.par() + 1,
+                        limits.cooldown(),
+                        limits.hold());
+        List<String> lines = Lines.of(canvas, told, SIZE, Canvas.Font.WORDS, WIDTH - 2 * PADDING);
+        double left = Scene.WIDTH - EDGE - WIDTH;
+        double top = View.BAR_FOOT + 4;
+        canvas.panel(left, top, WIDTH, lines.size() * LINE + PADDING, 12, Color.NIGHT);
+        double y = top + PADDING / 2 + LINE / 2;
+        for (String line : lines) {
+            Print.left(canvas, line, left + PADDING, y, SIZE, Color.TEXT);
+            y += LINE;
+        }
+    }
+}

@@ -1,0 +1,189 @@
+package rigibo.frontend.puzzle.hud;
+
+import rigibo.frontend.puzzle.level.Clickable;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.Verb;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.session.Pace;
+import rigibo.frontend.puzzle.session.Session;
+import rigibo.frontend.puzzle.show.CooldownRing;
+import rigibo.frontend.puzzle.show.Refusal;
+import rigibo.frontend.puzzle.show.View;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.accuracy.Badge;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** The bar above the play: title, state of the game, counts, and the cooldown's ring. */
+final class Hud {
+
+    private static final double EDGE = 8;
+    private static final double HEIGHT = View.BAR_FOOT - EDGE;
+    private static final double MIDDLE = EDGE + HEIGHT / 2;
+    private static final double LEFT = EDGE + 18;
+    private static final double TITLE_SIZE = 22;
+    private static final double WORDS_SIZE = 17;
+    private static final double GAP = 14;
+
+    private static final double RING_X = Scene.WIDTH - 38;
+    private static final double COUNTS_RIGHT = Scene.WIDTH - 64;
+
+    /** Left edge of the buttons in the bar, and the width of each, px. */
+    private static final double BUTTONS_LEFT = EDGE + 40;
+
+    private static final double BUTTON_WIDTH = 96;
+
+    private final Level level;
+    private final Lesson lesson;
+
+    private final Counts counts;
+
+    /** Left edge of the counts as they were last drawn, px. */
+    private double countsLeft = Scene.WIDTH;
+
+    private boolean isAsked;
+
+    /** Share of real time at which the world runs. */
+    private double pace = 1;
+
+    Hud(Level level, Lesson lesson) {
+        this.level = level;
+        this.lesson = lesson;
+        counts = new Counts(level.limits());
+    }
+
+    void paced(double share) {
+        pace = share;
+    }
+
+    /** Puts buttons into the bar, in place of the title. */
+    static ButtonRow buttons(List<Command> commands) {
+        double top = MIDDLE - ButtonRow.HEIGHT / 2;
+        return new ButtonRow(BUTTONS_LEFT, top, commands.size() * BUTTON_WIDTH, commands);
+    }
+
+    /** Draws the bar with the title and the state of the game. */
+    void draw(Canvas canvas, Words words, Session session, Refusal refusal, Motion motion) {
+        double right = drawRight(canvas, words, session, refusal, motion);
+        String title = level.title().in(words.locale());
+        text(canvas, title, LEFT, TITLE_SIZE, Canvas.Align.LEFT, Color.BRASS);
+        double left = LEFT + canvas.textWidth(title, TITLE_SIZE, Canvas.Font.WORDS) + GAP;
+        state(words, session, refusal).ifPresent(state -> drawBetween(canvas, state, left, right));
+    }
+
+    /** Draws the bar with buttons in place of the title, during a pause. */
+    void drawPaused(
+            Canvas canvas,
+            Words words,
+            Session session,
+            Refusal refusal,
+            ButtonRow buttons,
+            Motion motion) {
+        drawRight(canvas, words, session, refusal, motion);
+        for (int bar = 0; bar < 2; bar++) {
+            canvas.panel(LEFT - 6 + 10 * bar, MIDDLE - 9, 6, 18, 2, Color.BRASS);
+        }
+        buttons.draw(canvas, words);
+    }
+
+    /** Draws the bar while something is shown. */
+    void drawShow(Canvas canvas, Words words, Session session, ButtonRow buttons, Motion motion) {
+        double right = drawRight(canvas, words, session, new Refusal(), motion);
+        canvas.line(LEFT - 6, MIDDLE - 9, LEFT + 8, MIDDLE, 3, Color.BRASS);
+        canvas.line(LEFT - 6, MIDDLE + 9, LEFT + 8, MIDDLE, 3, Color.BRASS);
+        canvas.line(LEFT - 6, MIDDLE - 9, LEFT - 6, MIDDLE + 9, 3, Color.BRASS);
+        buttons.draw(canvas, words);
+        String what = words.of("puzzle.show." + key(session.hand()));
+        drawBetween(canvas, what, BUTTONS_LEFT + BUTTON_WIDTH + GAP, right);
+    }
+
+    /** Draws words between two positions of the bar, if they fit. */
+    private static void drawBetween(Canvas canvas, String state, double left, double right) {
+        double width = canvas.textWidth(state, WORDS_SIZE, Canvas.Font.WORDS);
+        if (left + width + GAP <= right) {
+            text(canvas, state, left, WORDS_SIZE, Canvas.Align.LEFT, Color.TEXT);
+        }
+    }
+
+    /** Draws the plate, with the counts and the ring on its right; returns their left edge, px. */
+    private double drawRight(
+            Canvas canvas, Words words, Session session, Refusal refusal, Motion motion) {
+        PuzzleGame game = session.game();
+        canvas.panel(EDGE, EDGE, Scene.WIDTH - 2 * EDGE, HEIGHT, 14, Color.PANEL);
+        boolean isSpent = refusal.is(Refusal.Reason.NO_CLICKS_LEFT);
+        double aside = refusal.shake(motion);
+        double left =
+                counts.draw(
+                        canvas,
+                        words,
+                        game,
+                        COUNTS_RIGHT + (isSpent ? aside : 0),
+                        MIDDLE,
+                        isSpent ? Color.BAD : Color.TEXT);
+        CooldownRing.drawInBar(canvas, RING_X, MIDDLE, game, refusal, motion);
+        countsLeft = left;
+        return left;
+    }
+
+    /** Draws what counts and ring mean while the pointer is on them, over all that is below. */
+    void drawHelp(Canvas canvas, Words words) {
+        if (isAsked) {
+            counts.drawHelp(canvas, words);
+        }
+    }
+
+    void pointerMoved(double x, double y) {
+        isAsked = x >= countsLeft && x <= Scene.WIDTH - EDGE && y >= EDGE && y <= View.BAR_FOOT;
+    }
+
+    /** The state of the game; of several messages only the most urgent one. */
+    private Optional<String> state(Words words, Session session, Refusal refusal) {
+        Optional<String> refused =
+                refusal.reason().map(why -> words.of("puzzle.refused." + key(why)));
+        return refused.or(() -> late(words))
+                .or(() -> lesson.words(session.game()).map(words::of))
+                .or(() -> keyOfState(session).map(words::of));
+    }
+
+    private Optional<String> late(Words words) {
+        return Badge.isLate(pace) ? Optional.of(new Badge(words).pace(pace)) : Optional.empty();
+    }
+
+    private static Optional<String> keyOfState(Session session) {
+        if (session.pace() != Pace.FULL) {
+            return Optional.of("puzzle.pace." + key(session.pace()));
+        }
+        if (session.game().isExperiment()) {
+            return Optional.of("puzzle.experiment");
+        }
+        boolean isUntouched =
+                session.game().clicks() == 0 && session.game().outcome() == Outcome.RUNNING;
+        return isUntouched
+                ? Optional.of("puzzle.task." + task(session.game().level()))
+                : Optional.empty();
+    }
+
+    /** The level's verb if it has one alone. */
+    private static String task(Level level) {
+        Set<Verb> verbs =
+                level.clickables().stream().map(Clickable::verb).collect(Collectors.toSet());
+        return verbs.size() == 1 ? verbs.iterator().next().title() : "many";
+    }
+
+    private static String key(Enum<?> constant) {
+        return Command.key(constant);
+    }
+
+    private static void text(
+            Canvas canvas, String words, double x, double size, Canvas.Align align, Color color) {
+        canvas.text(words, x, MIDDLE, size, Canvas.Font.WORDS, align, color);
+    }
+}

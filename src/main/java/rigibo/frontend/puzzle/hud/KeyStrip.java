@@ -1,0 +1,108 @@
+package rigibo.frontend.puzzle.hud;
+
+import rigibo.frontend.puzzle.show.View;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Print;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** The keys below the play, which can be clicked like buttons. */
+final class KeyStrip {
+
+    private static final double TOP = View.KEYS_TOP + 2;
+    private static final double HEIGHT = Scene.HEIGHT - 2 - TOP;
+    private static final double SIZE = 16;
+    private static final double PADDING = 7;
+    private static final double BETWEEN = 5;
+
+    /** Distance between two commands by which they are told apart, px. */
+    private static final double LEAST_GAP = 3;
+
+    /** Positions of the buttons in the last frame; their widths depend on their words. */
+    private final List<Place> places = new ArrayList<>();
+
+    private double pointerX = -1;
+    private double pointerY = -1;
+
+    /** A button on the screen, px. */
+    private record Place(Command command, double left, double right) {
+        boolean contains(double x, double y) {
+            return x >= left && x <= right && y >= TOP;
+        }
+    }
+
+    /**
+     * Draws commands at equal distances; one that is switched on is lit. Where there is no room for
+     * all words, the first commands, which a player knows longest, show their keys alone.
+     */
+    void draw(Canvas canvas, Words words, List<Command> commands, List<Command> lit) {
+        int bare = 0;
+        while (bare < commands.size() && gap(canvas, words, commands, bare) < LEAST_GAP) {
+            bare++;
+        }
+        double gap = gap(canvas, words, commands, bare);
+        double left = gap;
+        places.clear();
+        for (int i = 0; i < commands.size(); i++) {
+            Command command = commands.get(i);
+            double width = width(canvas, words, command, i < bare);
+            Place place = new Place(command, left, left + width);
+            places.add(place);
+            draw(canvas, words, place, lit.contains(command), i < bare);
+            left += width + gap;
+        }
+    }
+
+    /** Distance between two commands, px, if the first ones show their keys alone. */
+    private static double gap(Canvas canvas, Words words, List<Command> commands, int bare) {
+        double taken = 0;
+        for (int i = 0; i < commands.size(); i++) {
+            taken += width(canvas, words, commands.get(i), i < bare);
+        }
+        return (Scene.WIDTH - taken) / (commands.size() + 1);
+    }
+
+    private static double width(Canvas canvas, Words words, Command command, boolean isBare) {
+        double key = canvas.textWidth(command.keyWords(words), SIZE, Canvas.Font.WORDS);
+        double label = canvas.textWidth(command.words(words), SIZE, Canvas.Font.WORDS);
+        return 2 * PADDING + key + (isBare ? 0 : BETWEEN + label);
+    }
+
+    private void draw(Canvas canvas, Words words, Place place, boolean isLit, boolean isBare) {
+        boolean isHot = place.contains(pointerX, pointerY);
+        Color plate = isLit ? Color.BRASS : isHot ? Color.EDGE : Color.PANEL_LIT;
+        canvas.panel(place.left, TOP, place.right - place.left, HEIGHT, 8, plate);
+        Color ink = isLit ? Color.DUSK_TOP : Color.TEXT;
+        String key = place.command.keyWords(words);
+        double x = place.left + PADDING;
+        Color keyInk = isLit || isHot ? ink : Color.BRASS;
+        Print.left(canvas, key, x, TOP + HEIGHT / 2, SIZE, keyInk);
+        if (!isBare) {
+            x += canvas.textWidth(key, SIZE, Canvas.Font.WORDS) + BETWEEN;
+            Print.left(canvas, place.command.words(words), x, TOP + HEIGHT / 2, SIZE, ink);
+        }
+    }
+
+    void pointerMoved(double x, double y) {
+        pointerX = x;
+        pointerY = y;
+    }
+
+    /** Whether a point lies on the strip. */
+    static boolean contains(double y) {
+        return y > View.KEYS_TOP;
+    }
+
+    /** The button at a point. */
+    Optional<Command> at(double x, double y) {
+        return places.stream()
+                .filter(place -> place.contains(x, y))
+                .map(Place::command)
+                .findFirst();
+    }
+}

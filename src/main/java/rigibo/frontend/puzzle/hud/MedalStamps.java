@@ -1,0 +1,104 @@
+package rigibo.frontend.puzzle.hud;
+
+import rigibo.frontend.puzzle.level.Steps;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Medal;
+import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Words;
+
+/**
+ * The medals of a solved level, stamped one by one from bronze up to the one that was earned.
+ * Besides its colour each has a number and a shape of its own.
+ */
+final class MedalStamps {
+
+    /** Time between two stamps. */
+    static final int APART = Steps.of(0.25);
+
+    /** Time for which a stamp falls. */
+    private static final int FALL = Steps.of(0.15);
+
+    static final double RADIUS = 24;
+
+    /** Distance between the middles of two, px. */
+    static final double COLUMN = 148;
+
+    /** Distance from a medal's middle to that of its words, px. */
+    static final double WORDS_BELOW = 46;
+
+    /** Factor by which a stamp is larger when it begins to fall. */
+    private static final double HEIGHT = 1.5;
+
+    private final Medal earned;
+    private final int par;
+    private int turns;
+
+    MedalStamps(Medal earned, int par) {
+        this.earned = earned;
+        this.par = par;
+    }
+
+    /** After each frame. */
+    void turn() {
+        turns++;
+    }
+
+    /** Draws them about a place, px. */
+    void draw(Canvas canvas, Words words, double x, double y, Motion motion) {
+        Medal[] medals = Medal.values();
+        for (int i = 0; i < medals.length; i++) {
+            Medal medal = medals[medals.length - 1 - i];
+            double column = x + (i - 1) * COLUMN;
+            int age = turns - (i + 1) * APART;
+            boolean isStamped = medal.compareTo(earned) >= 0 && age >= 0;
+            canvas.ring(column, y, RADIUS, 2, 1, Color.EDGE);
+            if (isStamped) {
+                draw(canvas, medal, column, y, RADIUS * scale(age, motion));
+            }
+            String what = words.of("puzzle.medal." + Command.key(medal), par, par + 1);
+            Color ink = isStamped ? Color.TEXT : Color.TEXT_DIM;
+            canvas.text(
+                    what, column, y + WORDS_BELOW, 16, Canvas.Font.WORDS, Canvas.Align.CENTRE, ink);
+        }
+    }
+
+    /**
+     * Factor by which a stamp is larger than where it lies.
+     *
+     * @param age turns since it began to fall
+     */
+    static double scale(int age, Motion motion) {
+        double above = Math.max(0, 1 - age / (double) FALL);
+        return motion == Motion.FULL ? 1 + HEIGHT * above : 1;
+    }
+
+    private static void draw(Canvas canvas, Medal medal, double x, double y, double radius) {
+        Color metal = medal.color();
+        int rank = medal.ordinal() + 1;
+        if (medal != Medal.BRONZE) {
+            drawRays(canvas, x, y, radius, metal, medal == Medal.GOLD ? 12 : 6);
+        }
+        canvas.disc(x, y, radius * 0.9, metal);
+        canvas.ring(x, y, radius * 0.68, 2, 1, Color.DUSK_TOP.alpha(0.5));
+        canvas.text(
+                Integer.toString(rank),
+                x,
+                y,
+                22,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.CENTRE,
+                Color.DUSK_TOP);
+    }
+
+    /** Better medals have more rays. */
+    private static void drawRays(
+            Canvas canvas, double x, double y, double radius, Color metal, int rays) {
+        for (int ray = 0; ray < rays; ray++) {
+            double angle = 2 * Math.PI * ray / rays;
+            double tipX = x + 1.25 * radius * Math.sin(angle);
+            double tipY = y - 1.25 * radius * Math.cos(angle);
+            canvas.line(x, y, tipX, tipY, 5, metal);
+        }
+    }
+}

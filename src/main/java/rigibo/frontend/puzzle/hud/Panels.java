@@ -1,0 +1,316 @@
+package rigibo.frontend.puzzle.hud;
+
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.session.Pace;
+import rigibo.frontend.puzzle.session.Session;
+import rigibo.frontend.puzzle.show.Refusal;
+import rigibo.frontend.puzzle.show.View;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Words;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * The panels around the play: the bar, the keys, those that open in between, and the one at the
+ * end.
+ */
+public final class Panels {
+
+    private final Session session;
+    private final View view;
+    private final Words words;
+    private final Hud hud;
+    private final KeyStrip keys = new KeyStrip();
+    private final EffectsDrawer effects;
+    private final HintPlate hint;
+    private final List<Command> exits;
+    private final ButtonRow pause;
+    private final ButtonRow stop = Hud.buttons(List.of(Command.STOP));
+    private Drawer open = Drawer.NONE;
+
+    private Layout layout = Layout.ALONE;
+
+    private Optional<EndPanel> end = Optional.empty();
+
+    /** The panels of which one may be open, between the bar and the play or beside it. */
+    public enum Drawer {
+        NONE,
+        EFFECTS,
+        HINT
+    }
+
+    public Panels(
+            Level level,
+            Session session,
+            View view,
+            Words words,
+            Lesson lesson,
+            List<Command> exits) {
+        this.session = session;
+        this.exits = exits;
+        List<Command> inPause = new ArrayList<>(List.of(Command.RESUME, Command.RESTART));
+        inPause.addAll(exits);
+        pause = Hud.buttons(inPause);
+        this.view = view;
+        this.words = words;
+        hud = new Hud(level, lesson);
+        effects = new EffectsDrawer(new LevelEffects(level, session, words));
+        hint = new HintPlate(level.hint().in(words.locale()), !level.solutions().isEmpty());
+    }
+
+    /** Opens a drawer, or closes it if it is open. */
+    public void toggle(Drawer drawer) {
+        open = open == drawer ? Drawer.NONE : drawer;
+        fit();
+    }
+
+    private void fit() {
+        view.fitBelow(foot());
+        end.ifPresent(this::place);
+    }
+
+    /** Upper edge of the play, px: what opens beside it takes nothing from it. */
+    private double foot() {
+        if (isBeside()) {
+            return View.BAR_FOOT;
+        }
+        return switch (open) {
+            case NONE -> View.BAR_FOOT;
+            case EFFECTS -> EffectsDrawer.foot(layout);
+            case HINT -> HintPlate.FOOT;
+        };
+    }
+
+    /** Whether the window has room for what opens beside the play. */
+    private boolean isBeside() {
+        return layout.columns() == 2;
+    }
+
+    /** Takes what the window shows, before the play is drawn: that may be larger beside panels. */
+    public void layOut(Layout shown) {
+        double before = foot();
+        layout = shown;
+        if (foot() != before) {
+            fit();
+        }
+    }
+
+    private void place(EndPanel panel) {
+        double highest =
+                session.game().balls().stream()
+                        .mapToDouble(ball -> view.camera().screenY(ball.y()))
+                        .filter(y -> y > foot())
+                        .min()
+                        .orElse(Scene.HEIGHT);
+        panel.place(foot(), highest);
+    }
+
+    public void shut() {
+        open = Drawer.NONE;
+        view.fitBelow(foot());
+    }
+
+    public boolean isOpen(Drawer drawer) {
+        return open == drawer;
+    }
+
+    /** Shows how a game ended, as long as that game is on the screen. */
+    public void end(PuzzleGame game, boolean hasNext, boolean hasStar) {
+        Optional<StarStamp> star =
+                game.level()
+                        .star()
+                        .map(one -> new StarStamp(one.text().in(words.locale()), game, hasStar));
+        end = Optional.of(new EndPanel(game, hasNext, exits.get(0), star));
+        end.ifPresent(this::place);
+    }
+
+    /**
+     * Takes the share of real time at which the world runs; the bar shows when it cannot keep up.
+     */
+    public void paced(double share) {
+        hud.paced(share);
+    }
+
+    /** After each frame. */
+    public void turn() {
+        end().ifPresent(EndPanel::turn);
+    }
+
+    private Optional<EndPanel> end() {
+        return end.filter(panel -> panel.isOf(session.game()));
+    }
+
+    /** The buttons among which keys now select, if there are any. */
+    private Optional<ButtonRow> buttons() {
+        if (session.isShowing()) {
+            return Optional.of(stop);
+        }
+        return session.isPaused() ? Optional.of(pause) : end().map(EndPanel::buttons);
+    }
+
+    /** Whether there are buttons that keys select. */
+    public boolean hasButtons() {
+        return buttons().isPresent();
+    }
+
+    /** Selects the first button, if there are any. */
+    public void begin() {
+        buttons().ifPresent(ButtonRow::begin);
+    }
+
+    /** Selects the next button (+1) or the one before (−1), if there are any. */
+    public void move(int by) {
+        buttons().ifPresent(row -> row.move(by));
+    }
+
+    /** Selects no button. */
+    public void letGo() {
+        buttons().ifPresent(ButtonRow::letGo);
+    }
+
+    /** The command of the selected button. */
+    public Optional<Command> chosen() {
+        return buttons().flatMap(ButtonRow::chosen);
+    }
+
+    /**
+     * Draws all of them.
+     *
+     * @param offered commands that are not there in every frame, in their order
+     */
+    public void draw(Canvas canvas, Refusal refusal, Set<Command> offered, Motion motion) {
+        if (session.isShowing()) {
+            canvas.frame(3, 3, Scene.WIDTH - 6, Scene.HEIGHT - 6, 12, Color.BRASS);
+            hud.drawShow(canvas, words, session, stop, motion);
+        } else if (session.isPaused()) {
+            hud.drawPaused(canvas, words, session, refusal, pause, motion);
+        } else {
+            hud.draw(canvas, words, session, refusal, motion);
+        }
+        drawDrawer(canvas);
+        session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, foot()));
+        keys.draw(canvas, words, commands(offered), lit());
+        end().ifPresent(panel -> panel.draw(canvas, words, motion));
+        hud.drawHelp(canvas, words);
+    }
+
+    private void drawDrawer(Canvas canvas) {
+        switch (open) {
+            case NONE -> {}
+            case EFFECTS -> {
+                if (isBeside()) {
+                    effects.drawBeside(canvas);
+                } else {
+                    effects.draw(canvas);
+                }
+            }
+            case HINT -> {
+                if (isBeside()) {
+                    hint.drawBeside(canvas, words);
+                } else {
+                    hint.draw(canvas, words);
+                }
+            }
+        }
+    }
+
+    private List<Command> commands(Set<Command> offered) {
+        if (session.isShowing()) {
+            return List.of(Command.PAUSE, Command.SLOWER, Command.STOP);
+        }
+        List<Command> commands = new ArrayList<>(List.of(Command.RESTART, Command.UNDO));
+        if (session.game().isSolved()) {
+            commands.add(Command.COPY);
+        } else {
+            commands.add(Command.PAUSE);
+            commands.add(Command.SLOWER);
+        }
+        commands.add(Command.EFFECTS);
+        commands.addAll(offered);
+        commands.add(exits.get(exits.size() - 1));
+        return commands;
+    }
+
+    private List<Command> lit() {
+        List<Command> lit = new ArrayList<>();
+        if (session.isPaused()) {
+            lit.add(Command.PAUSE);
+        }
+        if (session.pace() != Pace.FULL) {
+            lit.add(Command.SLOWER);
+        }
+        if (open == Drawer.EFFECTS) {
+            lit.add(Command.EFFECTS);
+        }
+        if (session.hasGhost()) {
+            lit.add(Command.GHOST);
+        }
+        if (open == Drawer.HINT) {
+            lit.add(Command.HINT);
+        }
+        return lit;
+    }
+
+    /** The command of the button at a point. */
+    public Optional<Command> at(double x, double y) {
+        Optional<Command> command = buttons().flatMap(row -> row.point(x, y));
+        if (command.isEmpty() && open == Drawer.HINT && hint.isOnSolution(x, y)) {
+            return Optional.of(Command.SOLUTION);
+        }
+        return command.or(() -> keys.at(x, y));
+    }
+
+    /** Whether a point lies on a panel, so that a click there does not go to the play. */
+    public boolean cover(double x, double y) {
+        return y < foot()
+                || isOnDrawer(x, y)
+                || KeyStrip.contains(y)
+                || end().filter(p -> p.contains(x, y)).isPresent();
+    }
+
+    private boolean isOnDrawer(double x, double y) {
+        return switch (open) {
+            case NONE -> false;
+            case EFFECTS -> effects.contains(x, y);
+            case HINT -> hint.contains(x, y);
+        };
+    }
+
+    /** Handles a click on a panel outside its buttons. */
+    public void press(double x, double y) {
+        if (open == Drawer.EFFECTS) {
+            effects.pointerPressed(x, y);
+        }
+    }
+
+    public void pointerMoved(double x, double y) {
+        buttons().ifPresent(row -> row.point(x, y));
+        hud.pointerMoved(x, y);
+        keys.pointerMoved(x, y);
+        effects.pointerMoved(x, y);
+    }
+
+    /** Called after each frame that was drawn. */
+    public void drawn() {
+        if (open == Drawer.EFFECTS) {
+            effects.drawn();
+        }
+    }
+
+    public void close() {
+        effects.close();
+    }
+
+    public boolean isOver() {
+        return session.game().outcome() != Outcome.RUNNING;
+    }
+}

@@ -1,0 +1,99 @@
+package rigibo.frontend.puzzle.hud;
+
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.replay.Verdict;
+import rigibo.frontend.puzzle.rules.Act;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.show.View;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
+
+import java.util.List;
+
+/** The controls around a replay: title, counts, a time line with its clicks, and keys. */
+public final class ReplayBar {
+
+    private static final double EDGE = 8;
+    private static final double INNER = Scene.WIDTH - 2 * EDGE;
+    private static final double HEIGHT = View.BAR_FOOT - EDGE;
+    private static final double MIDDLE = EDGE + 20;
+    private static final double LEFT = EDGE + 18;
+    private static final double RIGHT = Scene.WIDTH - LEFT;
+    private static final double TITLE_SIZE = 22;
+    private static final double WORDS_SIZE = 17;
+    private static final double GAP = 14;
+
+    /** Position of the time line, y in px. */
+    private static final double TIME_Y = View.BAR_FOOT - 9;
+
+    private static final double KEYS_Y = (View.KEYS_TOP + Scene.HEIGHT) / 2;
+
+    private static final double KEYS_SIZE = 16;
+    private static final double LINE = 25;
+
+    private final Recording recording;
+
+    public ReplayBar(Recording recording) {
+        this.recording = recording;
+    }
+
+    /** Draws the bar; {@code state} says how the replay is being watched. */
+    public void draw(Canvas canvas, Words words, PuzzleGame game, String state) {
+        canvas.panel(EDGE, EDGE, INNER, HEIGHT, 14, Color.PANEL);
+        String title = recording.level().title().in(words.locale());
+        text(canvas, title, LEFT, MIDDLE, TITLE_SIZE, Color.BRASS);
+        double left = LEFT + canvas.textWidth(title, TITLE_SIZE, Canvas.Font.WORDS) + GAP;
+        text(canvas, state, left, MIDDLE, WORDS_SIZE, Color.TEXT);
+        canvas.text(
+                Counts.counts(words, recording.level().limits(), game),
+                RIGHT,
+                MIDDLE,
+                WORDS_SIZE,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.RIGHT,
+                Color.TEXT);
+        drawTime(canvas, Math.min(1, game.steps() / (double) recording.steps()));
+    }
+
+    private void drawTime(Canvas canvas, double share) {
+        canvas.line(LEFT, TIME_Y, RIGHT, TIME_Y, 3, Color.PANEL_LIT);
+        canvas.line(LEFT, TIME_Y, at(share), TIME_Y, 3, Color.BRASS);
+        for (Act act : recording.replay().acts()) {
+            double x = at(act.step() / (double) recording.steps());
+            canvas.line(x, TIME_Y - 5, x, TIME_Y + 5, 3, Color.TEXT);
+        }
+    }
+
+    private static double at(double share) {
+        return LEFT + share * (RIGHT - LEFT);
+    }
+
+    /** Draws the keys below the play, and over its foot where one line does not hold them. */
+    public void drawKeys(Canvas canvas, Words words) {
+        List<String> lines =
+                Lines.ofGroups(canvas, words.of("replay.keys"), KEYS_SIZE, Scene.WIDTH - 2 * EDGE);
+        double above = (lines.size() - 1) * LINE;
+        if (above > 0) {
+            canvas.panel(EDGE, View.KEYS_TOP - above, INNER, Scene.HEIGHT, 14, Color.PANEL);
+        }
+        double y = KEYS_Y - above;
+        for (String line : lines) {
+            Print.centred(canvas, line, Scene.WIDTH / 2.0, y, KEYS_SIZE, Color.TEXT);
+            y += LINE;
+        }
+    }
+
+    /** Draws whether the replay ran as recorded, below the bar. */
+    public void drawVerdict(Canvas canvas, Words words, Verdict verdict) {
+        VerdictPlate.draw(canvas, words, verdict, View.BAR_FOOT);
+    }
+
+    private static void text(
+            Canvas canvas, String words, double x, double y, double size, Color color) {
+        canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
+    }
+}

@@ -1,0 +1,70 @@
+package rigibo.frontend.puzzle.hud;
+
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Medal;
+import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Sign;
+
+/**
+ * The secret star at the end of a level: stamped after the medals by the game that earned it, there
+ * at once if it was found before, and otherwise a question.
+ */
+final class StarStamp {
+
+    /** Turns until it is stamped, after the three medals. */
+    private static final int DUE = (Medal.values().length + 1) * MedalStamps.APART;
+
+    private final String text;
+    private final boolean isEarnedNow;
+    private final boolean isFound;
+    private int turns;
+
+    /**
+     * The star of a game's level.
+     *
+     * @param text states what earns it
+     * @param isFound whether the player has it, from this game or one before
+     */
+    StarStamp(String text, PuzzleGame game, boolean isFound) {
+        this.text = text;
+        this.isFound = isFound;
+        isEarnedNow = game.hasStar();
+    }
+
+    /** After each frame. */
+    void turn() {
+        turns++;
+    }
+
+    private boolean isSeen() {
+        return isEarnedNow ? turns >= DUE : isFound;
+    }
+
+    /** Draws it about a place, px. */
+    void draw(Canvas canvas, Words words, double x, double y, Motion motion) {
+        if (isSeen()) {
+            double scale = isEarnedNow ? MedalStamps.scale(turns - DUE, motion) : 1;
+            Sign.star(canvas, x, y, 1.2 * MedalStamps.RADIUS * scale, Color.BRASS);
+        } else {
+            Sign.outlinedStar(canvas, x, y, 1.1 * MedalStamps.RADIUS, 2, Color.EDGE);
+            text(canvas, "?", x, y + 2, 20, Color.TEXT_DIM);
+        }
+        Color ink = isSeen() ? Color.TEXT : Color.TEXT_DIM;
+        text(canvas, words.of("puzzle.star"), x, y + MedalStamps.WORDS_BELOW, 16, ink);
+    }
+
+    private static void text(
+            Canvas canvas, String words, double x, double y, double size, Color color) {
+        canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.CENTRE, color);
+    }
+
+    /** What it takes, as far as the player may know, within a width, px. */
+    String statement(Canvas canvas, Words words, double width) {
+        String whole = isSeen() ? text : words.of("puzzle.star.hidden");
+        return Lines.shortened(canvas, whole, 17, Canvas.Font.WORDS, width);
+    }
+}

@@ -1,0 +1,58 @@
+package rigibo.frontend.puzzle.hud;
+
+import rigibo.frontend.puzzle.replay.Verdict;
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Sign;
+
+import java.util.List;
+
+/** Says whether a replay ran as recorded. */
+final class VerdictPlate {
+
+    private static final double EDGE = 8;
+    private static final double WIDTH = Scene.WIDTH - 2 * EDGE;
+    private static final double SIZE = 17;
+    private static final double LINE = 22;
+
+    /** Width of the sign on the left, and of the free space on the right, px. */
+    private static final double ICON = 46;
+
+    private static final double GAP = 14;
+
+    private VerdictPlate() {}
+
+    /**
+     * Draws it at the upper end of the play.
+     *
+     * @param foot where the play begins, px
+     */
+    static void draw(Canvas canvas, Words words, Verdict verdict, double foot) {
+        String said = verdict.in(words);
+        List<String> lines = Lines.of(canvas, said, SIZE, Canvas.Font.WORDS, WIDTH - ICON - GAP);
+        double top = foot + 6;
+        double height = lines.size() * LINE + 16;
+        Color color = verdict.isSame() ? Color.GOOD : Color.BAD;
+        canvas.panel(EDGE, top, WIDTH, height, 14, Color.PANEL);
+        canvas.frame(EDGE, top, WIDTH, height, 14, color);
+        drawIcon(canvas, EDGE + 26, top + height / 2, verdict.isSame(), color);
+        double y = top + 8 + LINE / 2;
+        for (String line : lines) {
+            double left = EDGE + ICON;
+            canvas.text(line, left, y, SIZE, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
+            y += LINE;
+        }
+    }
+
+    private static void drawIcon(Canvas canvas, double x, double y, boolean isGood, Color color) {
+        canvas.ring(x, y, 11, 3, 1, color);
+        if (isGood) {
+            Sign.tick(canvas, x, y, 5, 3, color);
+        } else {
+            Sign.cross(canvas, x, y, 4, 3, color);
+        }
+    }
+}

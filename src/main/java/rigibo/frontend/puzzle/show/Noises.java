@@ -1,0 +1,143 @@
+package rigibo.frontend.puzzle.show;
+
+import rigibo.backend.ContactEvent;
+import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.picture.Skins;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.rules.Target;
+import rigibo.frontend.scene.Deed;
+import rigibo.frontend.scene.Impacts;
+import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Sounds;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The sounds of a level: its knocks and rolling, and those of clicks, hold and the end of the game.
+ */
+final class Noises {
+
+    /**
+     * Number of ticks during a hold, one each half second of the usual 3 s; the last one is the
+     * chord.
+     */
+    private static final int TICKS = 6;
+
+    private final Sounds sounds;
+    private final Map<RigidBody, Skin> skins = new IdentityHashMap<>();
+    private Impacts impacts;
+    private PuzzleGame game;
+    private Outcome outcome;
+    private int ticks;
+
+    /** Bombs whose fuses burnt when the game was last heard. */
+    private final List<Piece> lit = new ArrayList<>();
+
+    /** The sounds of a game from its present state on. */
+    Noises(Sounds sounds, PuzzleGame game) {
+        this.sounds = sounds;
+        listenTo(game);
+    }
+
+    /** Skips what happened before: the game may be another try, or one that was taken back. */
+    private void listenTo(PuzzleGame other) {
+        game = other;
+        impacts = new Impacts();
+        outcome = other.outcome();
+        ticks = ticks(other);
+        skins.clear();
+        lit.clear();
+        other.balls().forEach(ball -> skins.put(ball, Skin.BALL));
+        for (Piece piece : other.pieces()) {
+            skins.put(piece.body(), Skins.of(piece.substance()));
+        }
+    }
+
+    private static int ticks(PuzzleGame game) {
+        return (int) (TICKS * game.held());
+    }
+
+    /** Called when the player's game made a step. */
+    void stepped(PuzzleGame played) {
+        if (played != game) {
+            listenTo(played);
+        }
+        List<ContactEvent> contacts = game.pool().contactEvents();
+        impacts.tell(game.pool(), skins::get, sounds);
+        game.balls().stream()
+                .filter(ball -> contacts.stream().anyMatch(contact -> carries(contact, ball)))
+                .mapToDouble(ball -> Math.abs(ball.angularVelocity()) * rim(ball))
+                .max()
+                .ifPresent(sounds::roll);
+        tellBlasts();
+        tellHold();
+        tellOutcome();
+    }
+
+    private void tellBlasts() {
+        List<Piece> blown = lit.stream().filter(this::hasBlownUp).toList();
+        blown.forEach(bomb -> sounds.did(Deed.BLAST));
+        lit.clear();
+        game.pieces().stream()
+                .filter(piece -> piece.isAlive() && piece.fuse().isPresent())
+                .forEach(lit::add);
+    }
+
+    /** A bomb that fell out of the world did not. */
+    private boolean hasBlownUp(Piece bomb) {
+        return !bomb.isAlive() && bomb.fuse().orElseThrow().isBurntDown(game.steps());
+    }
+
+    private static double rim(RigidBody ball) {
+        return ball.shape().boundingRadius();
+    }
+
+    private static boolean carries(ContactEvent contact, RigidBody ball) {
+        return contact.phase() != ContactEvent.Phase.END
+                && (contact.a() == ball || contact.b() == ball);
+    }
+
+    private void tellHold() {
+        int before = ticks;
+        ticks = ticks(game);
+        if (ticks > before && ticks < TICKS) {
+            sounds.tick(game.held());
+        }
+    }
+
+    private void tellOutcome() {
+        if (game.outcome() != outcome) {
+            outcome = game.outcome();
+            if (outcome == Outcome.WON) {
+                sounds.chord();
+            } else {
+                sounds.fail();
+            }
+        }
+    }
+
+    /** Called when a click did something. */
+    void did(Target target) {
+        switch (target.verb().orElseThrow()) {
+            case DELETE -> sounds.pop();
+            case CUT -> sounds.did(Deed.SNIP);
+            case PULL -> sounds.did(Deed.PULL);
+            case SWITCH -> sounds.did(target.isOn() ? Deed.SWITCH_ON : Deed.SWITCH_OFF);
+            case FREEZE -> {
+                sounds.did(Deed.FREEZE);
+                skins.put(((Piece) target).body(), Skin.STONE);
+            }
+            case LIGHT -> sounds.did(Deed.FUSE);
+        }
+    }
+
+    /** Called when something that the player asked for is not possible now. */
+    void refused() {
+        sounds.refuse();
+    }
+}

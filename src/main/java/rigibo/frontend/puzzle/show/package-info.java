@@ -1,0 +1,6 @@
+/**
+ * The play itself, as it is seen, heard and pointed at: bodies, marks, particles, rings, cursor and
+ * noises. It observes a session, and only {@code Table} is driven from outside. Lengths in m of the
+ * world, or px where a name says so.
+ */
+package rigibo.frontend.puzzle.show;
