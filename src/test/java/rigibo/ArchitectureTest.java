@@ -38,6 +38,7 @@ class ArchitectureTest {
     private static final String BACKEND = "rigibo.backend";
     private static final String FRONTEND = "rigibo.frontend";
     private static final String PUZZLE = FRONTEND + ".puzzle";
+    private static final String COLLISION = BACKEND + ".collision";
 
     /** The only room that knows threads: where there are none, nothing else is missing. */
     private static final String TEAM = BACKEND + ".team";
@@ -123,6 +124,11 @@ class ArchitectureTest {
         return leftToRight(PUZZLE, fromLeftToRight);
     }
 
+    /** Rooms within the narrow phase. */
+    static Stream<Room> collisionRooms() {
+        return leftToRight(COLLISION, new String[][] {{"manifold"}, {"distance"}});
+    }
+
     /** Rooms that see those to their left, and the room they are in, which sees them all. */
     private static Stream<Room> leftToRight(String whole, String[][] fromLeftToRight) {
         Stream.Builder<Room> rooms = Stream.builder();
@@ -188,6 +194,12 @@ class ArchitectureTest {
         check(room, PUZZLE, JavaClass::getPackageName);
     }
 
+    @ParameterizedTest
+    @MethodSource("collisionRooms")
+    void roomOfTheNarrowPhaseUsesOnlyRoomsToItsLeft(Room room) {
+        check(room, COLLISION, JavaClass::getPackageName);
+    }
+
     /** Of what a room uses, only that within the whole is asked for. */
     private static void check(Room room, String whole, Function<JavaClass, String> roomOf) {
         Set<String> allowed = Arrays.stream(room.uses()).collect(Collectors.toSet());
@@ -206,11 +218,14 @@ class ArchitectureTest {
     }
 
     @Test
-    void everyPackageOfThePuzzleIsOfARoom() {
-        Set<String> rooms = puzzleRooms().map(Room::name).collect(Collectors.toSet());
+    void everyInnerPackageIsOfARoom() {
+        Set<String> rooms =
+                Stream.concat(puzzleRooms(), collisionRooms())
+                        .map(Room::name)
+                        .collect(Collectors.toSet());
         assertThat(CLASSES)
                 .extracting(JavaClass::getPackageName)
-                .filteredOn(name -> name.startsWith(PUZZLE))
+                .filteredOn(name -> name.startsWith(PUZZLE) || name.startsWith(COLLISION))
                 .isNotEmpty()
                 .allMatch(rooms::contains);
     }

@@ -1,7 +1,7 @@
 package rigibo.backend;
 
-import rigibo.backend.collision.PointAndRay;
-import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.distance.PointAndRay;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;

@@ -1,14 +1,14 @@
 package rigibo.backend;
 
-import rigibo.backend.collision.Collider;
-import rigibo.backend.collision.Distance;
-import rigibo.backend.collision.Manifold;
-import rigibo.backend.collision.Motion;
-import rigibo.backend.collision.PointAndRay;
-import rigibo.backend.collision.Pose;
-import rigibo.backend.collision.ShapeCast;
-import rigibo.backend.collision.TimeOfImpact;
-import rigibo.backend.collision.Touching;
+import rigibo.backend.collision.distance.Distance;
+import rigibo.backend.collision.distance.Motion;
+import rigibo.backend.collision.distance.PointAndRay;
+import rigibo.backend.collision.distance.ShapeCast;
+import rigibo.backend.collision.distance.TimeOfImpact;
+import rigibo.backend.collision.distance.Touching;
+import rigibo.backend.collision.manifold.Collider;
+import rigibo.backend.collision.manifold.Manifold;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Placement;

@@ -2,12 +2,12 @@ package rigibo.backend;
 
 import rigibo.backend.broadphase.FixtureSearch;
 import rigibo.backend.broadphase.RayWalk;
-import rigibo.backend.collision.Distance;
-import rigibo.backend.collision.Motion;
-import rigibo.backend.collision.PointAndRay;
-import rigibo.backend.collision.Pose;
-import rigibo.backend.collision.ShapeCast;
-import rigibo.backend.collision.Touching;
+import rigibo.backend.collision.distance.Distance;
+import rigibo.backend.collision.distance.Motion;
+import rigibo.backend.collision.distance.PointAndRay;
+import rigibo.backend.collision.distance.ShapeCast;
+import rigibo.backend.collision.distance.Touching;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Placement;

@@ -1,9 +1,9 @@
 package rigibo.backend;
 
 import rigibo.backend.broadphase.FixtureSearch;
-import rigibo.backend.collision.PointAndRay;
-import rigibo.backend.collision.Pose;
-import rigibo.backend.collision.Touching;
+import rigibo.backend.collision.distance.PointAndRay;
+import rigibo.backend.collision.distance.Touching;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Aabb;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;

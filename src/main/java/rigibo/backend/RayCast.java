@@ -2,8 +2,8 @@ package rigibo.backend;
 
 import rigibo.backend.broadphase.FixtureSearch;
 import rigibo.backend.broadphase.RayWalk;
-import rigibo.backend.collision.PointAndRay;
-import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.distance.PointAndRay;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.setup.Filter;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Found;

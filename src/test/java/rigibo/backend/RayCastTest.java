@@ -6,8 +6,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-import rigibo.backend.collision.PointAndRay;
-import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.distance.PointAndRay;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;

@@ -129,7 +129,7 @@ class UndeclaredCodeTest {
                         "flight.FlightImpacts",
                         "flight.Bystanders",
                         "flight.ImpactQueue",
-                        "collision.TimeOfImpact",
+                        "collision.distance.TimeOfImpact",
                         "rest.Sleeping");
     }
 
@@ -146,7 +146,7 @@ class UndeclaredCodeTest {
                         "flight.FreeFlight",
                         "flight.Trajectories",
                         "collision.Narrowphase",
-                        "collision.Collider",
+                        "collision.manifold.Collider",
                         "rest.PileClassifier",
                         "rest.IslandBuilder",
                         "rest.Sleeping");

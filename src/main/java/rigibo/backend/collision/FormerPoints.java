@@ -1,5 +1,6 @@
 package rigibo.backend.collision;
 
+import rigibo.backend.collision.manifold.Manifold;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;

@@ -1,5 +1,8 @@
 package rigibo.backend.collision;
 
+import rigibo.backend.collision.manifold.Collider;
+import rigibo.backend.collision.manifold.Manifold;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;

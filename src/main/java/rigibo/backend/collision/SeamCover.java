@@ -1,5 +1,6 @@
 package rigibo.backend.collision;
 
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;

@@ -1,6 +1,6 @@
 /**
- * Two shapes at two poses: manifolds, distance, queries, and the time of impact of moving shapes.
- * Metres, seconds and radians; A and B always come in that order, and normals point from A to B.
- * Knows only shapes, except for the narrow phase, which visits stored pairs.
+ * The narrow phase: visits stored pairs, and decides which points of their manifolds count where
+ * parts, chains or fixed bodies meet in seams. Metres, seconds and radians; A and B always come in
+ * that order, and normals point from A to B.
  */
 package rigibo.backend.collision;

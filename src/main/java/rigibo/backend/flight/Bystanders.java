@@ -2,7 +2,7 @@ package rigibo.backend.flight;
 
 import rigibo.backend.broadphase.Broadphase;
 import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.impact.ImpactLaw;
 import rigibo.backend.storage.Bodies;

@@ -1,7 +1,7 @@
 package rigibo.backend.flight;
 
-import rigibo.backend.collision.Motion;
-import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.distance.Motion;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Hits;
 import rigibo.backend.storage.PairTolerances;

@@ -1,10 +1,10 @@
 package rigibo.backend.flight;
 
 import rigibo.backend.broadphase.Broadphase;
-import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.collision.Pose;
-import rigibo.backend.collision.TimeOfImpact;
+import rigibo.backend.collision.distance.Motion;
+import rigibo.backend.collision.distance.TimeOfImpact;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;

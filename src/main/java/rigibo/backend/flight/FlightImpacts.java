@@ -1,8 +1,8 @@
 package rigibo.backend.flight;
 
-import rigibo.backend.collision.Motion;
 import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.distance.Motion;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.impact.ImpactLaw;
 import rigibo.backend.impact.TiedImpacts;

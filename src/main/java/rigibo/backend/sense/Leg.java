@@ -1,6 +1,6 @@
 package rigibo.backend.sense;
 
-import rigibo.backend.collision.Motion;
+import rigibo.backend.collision.distance.Motion;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Ways;

@@ -1,9 +1,9 @@
 package rigibo.backend.sense;
 
 import rigibo.backend.broadphase.Broadphase;
-import rigibo.backend.collision.Pose;
-import rigibo.backend.collision.TimeOfImpact;
-import rigibo.backend.collision.Touching;
+import rigibo.backend.collision.distance.TimeOfImpact;
+import rigibo.backend.collision.distance.Touching;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.storage.Bodies;

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-import rigibo.backend.collision.Motion;
+import rigibo.backend.collision.distance.Motion;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.setup.BodyDefinition;

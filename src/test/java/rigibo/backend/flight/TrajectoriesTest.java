@@ -7,8 +7,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 import rigibo.backend.FilledStorage;
-import rigibo.backend.collision.Motion;
-import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.distance.Motion;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Rotation;

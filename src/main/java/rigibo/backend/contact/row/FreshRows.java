@@ -1,7 +1,7 @@
 package rigibo.backend.contact.row;
 
 import rigibo.backend.collision.Narrowphase;
-import rigibo.backend.collision.Pose;
+import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
