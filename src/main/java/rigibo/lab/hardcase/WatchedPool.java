@@ -1,7 +1,5 @@
 package rigibo.lab.hardcase;
 
-import com.sun.management.ThreadMXBean;
-
 import rigibo.backend.ContactEvent;
 import rigibo.backend.Joint;
 import rigibo.backend.JointDefinition;
@@ -25,9 +23,9 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Filter;
+import rigibo.lab.child.ThreadUse;
 import rigibo.lab.truth.Solid;
 
-import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
@@ -52,8 +50,6 @@ final class WatchedPool {
                     Fan.class,
                     Magnet.class,
                     Field.class);
-
-    private static final ThreadMXBean HEAP = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     private final Trial trial;
     private final String variant;
@@ -188,9 +184,9 @@ final class WatchedPool {
         if (guard == null && (isEnergyKept || isWorkKnown)) {
             guard = new EnergyGuard(pool.bodies(), gravity, springs());
         }
-        long before = HEAP.getCurrentThreadAllocatedBytes();
+        long before = ThreadUse.bytes();
         StepReport report = pool.step(dt);
-        allocated += HEAP.getCurrentThreadAllocatedBytes() - before;
+        allocated += ThreadUse.bytes() - before;
         steps++;
         trial.work().add(report);
         watch(dt);

@@ -1,4 +1,4 @@
-package rigibo.lab.energy;
+package rigibo.lab.precision;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
@@ -14,7 +14,7 @@ import rigibo.lab.truth.Solid;
  * A ball falls 2 m and rebounds with e = 0.8. Truth: after the n-th impact its energy is e²ⁿ of
  * what it was, and nothing takes any in between.
  */
-public final class BouncingBall {
+final class BouncingBall {
 
     private static final double HEIGHT = 2;
     private static final double ELASTICITY = 0.8;
@@ -25,7 +25,7 @@ public final class BouncingBall {
     private BouncingBall() {}
 
     /** Runs it with an engine at a setting. */
-    public static EnergyTrace trace(Engine engine, Setting setting) {
+    static EnergyTrace trace(Engine engine, Setting setting) {
         Effects effects = Earth.effects().without(Friction.class).without(Rotation.class);
         try (World world = engine.world(effects, setting)) {
             world.add(Earth.floor(0, ELASTICITY));
