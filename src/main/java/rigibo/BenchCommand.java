@@ -11,9 +11,7 @@ import rigibo.lab.bench.Inquiry;
 import rigibo.lab.bench.large.LargeBench;
 import rigibo.lab.bench.moving.Contestant;
 import rigibo.lab.bench.moving.MovingBench;
-import rigibo.lab.bench.moving.MovingReport;
 import rigibo.lab.bench.query.QueryBench;
-import rigibo.lab.bench.query.QueryReport;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
 import rigibo.lab.bench.scene.MovingScenes;
@@ -22,7 +20,7 @@ import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.precision.Environment;
 import rigibo.lab.report.MeasuredPart;
-import rigibo.lab.report.MeasuredTable;
+import rigibo.lab.report.Report;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -196,7 +194,7 @@ final class BenchCommand implements Callable<Integer> {
             return ask();
         }
         if (areLarge) {
-            return told(new LargeBench(LargeBench.SIZES).run(this::tell));
+            return told(new LargeBench(LargeBench.SIZES).run(this::tell), environment());
         }
         if (!workers.isEmpty()) {
             return share();
@@ -205,9 +203,9 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     /** Writes the page if one is wanted; returns what to print. */
-    private List<String> told(MeasuredTable found) throws IOException {
+    private List<String> told(Report found, Environment measured) throws IOException {
         if (page != null) {
-            MeasuredPart.write(page, found.markdown(environment().provenance()));
+            MeasuredPart.write(page, found.markdown(measured.provenance()));
         }
         return found.text();
     }
@@ -220,7 +218,8 @@ final class BenchCommand implements Callable<Integer> {
         if (!scenes.isEmpty()) {
             shared.addAll(chosenScenes());
         }
-        return told(new WorkersBench(shared, workers, movingSteps(), runs).run(this::tell));
+        WorkersBench bench = new WorkersBench(shared, workers, movingSteps(), runs);
+        return told(bench.run(this::tell), environment());
     }
 
     private List<String> ask() throws IOException {
@@ -231,12 +230,7 @@ final class BenchCommand implements Callable<Integer> {
                                 .filter(one -> one.isOurs() || one.isFastestPeer())
                                 .toList(),
                         runs);
-        QueryReport report = bench.run(this::tell);
-        if (page != null) {
-            Environment measured = environment().withFlags(bench.method());
-            MeasuredPart.write(page, report.markdown(measured.provenance()));
-        }
-        return report.text();
+        return told(bench.run(this::tell), environment().withFlags(bench.method()));
     }
 
     private List<String> study() throws IOException {
@@ -268,12 +262,7 @@ final class BenchCommand implements Callable<Integer> {
                         movingSteps(),
                         runs,
                         out);
-        MovingReport report = bench.run(this::tell);
-        if (page != null) {
-            Environment measured = environment().withFlags(bench.method());
-            MeasuredPart.write(page, report.markdown(measured.provenance()));
-        }
-        return report.text();
+        return told(bench.run(this::tell), environment().withFlags(bench.method()));
     }
 
     private Stream<Contestant> contestants(Engine engine) {

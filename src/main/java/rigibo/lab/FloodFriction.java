@@ -4,9 +4,8 @@ import rigibo.backend.Pool;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Rotation;
+import rigibo.lab.child.ThreadUse;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
 
 /**
@@ -23,7 +22,6 @@ import java.util.Arrays;
  */
 public record FloodFriction(int rows, int rowsWithout, double ratio, double lower, double upper) {
 
-    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final Flood DEMO = new Flood(19, 0.14);
     private static final int BODIES = 600;
     private static final double COEFFICIENT = 0.4;
@@ -42,11 +40,11 @@ public record FloodFriction(int rows, int rowsWithout, double ratio, double lowe
         without.effects(Flood.FRICTIONLESS);
         double[] ratios = new double[TIMED_STEPS];
         for (int i = -WARM_STEPS; i < TIMED_STEPS; i++) {
-            long begun = THREADS.getCurrentThreadCpuTime();
+            long begun = ThreadUse.nanos();
             with.step(Flood.STEP);
-            long between = THREADS.getCurrentThreadCpuTime();
+            long between = ThreadUse.nanos();
             without.step(Flood.STEP);
-            long ended = THREADS.getCurrentThreadCpuTime();
+            long ended = ThreadUse.nanos();
             if (i >= 0) {
                 ratios[i] = (double) (ended - between) / (between - begun);
             }

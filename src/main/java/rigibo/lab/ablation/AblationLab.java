@@ -10,22 +10,21 @@ import rigibo.lab.ablation.probe.Share;
 import rigibo.lab.ablation.probe.Use;
 import rigibo.lab.ablation.probe.Workload;
 import rigibo.lab.ablation.probe.Workloads;
-import rigibo.lab.child.Progress;
+import rigibo.lab.child.Kept;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import java.util.function.Predicate;
 
 /** Makes the runs that were not made yet, and reads from all of them what they tell. */
 final class AblationLab {
 
-    private static final String RUNS = "effects-runs.csv";
+    private static final String RUNS = "effects-runs.log";
 
     private final Archives archives;
     private final ProbeJava java;
     private final Order order;
-    private final RunLog log;
+    private final Kept kept;
 
     AblationLab(Question question) {
         Workloads workloads = new Workloads(question.seed());
@@ -33,7 +32,7 @@ final class AblationLab {
         java = new ProbeJava(archives, question.seed());
         order = new Order(workloads, question.scenes(), question.runs());
         String key = archives.hash() + "-" + question.seed() + "-" + Runtime.version();
-        log = new RunLog(question.out().resolve(RUNS), key);
+        kept = new Kept(question.out().resolve(RUNS), key);
     }
 
     /** How processes are run, in words. */
@@ -49,12 +48,7 @@ final class AblationLab {
      */
     void run(Consumer<String> tell) {
         order.scenes().forEach(scene -> archives.strip(scene.name()));
-        List<Run> missing = order.runs().stream().filter(Predicate.not(log::has)).toList();
-        Progress progress = new Progress(missing.size(), tell);
-        for (Run run : missing) {
-            log.add(run, java.run(run));
-            progress.done();
-        }
+        kept.make(order.runs(), Run::name, run -> java.run(run).line(), tell);
     }
 
     /** What the runs tell. */
@@ -112,7 +106,7 @@ final class AblationLab {
         return new Saving(
                 scene.name(),
                 effect,
-                new LeftOut(scene, effect).companions(),
+                LeftOut.of(scene, effect).companions(),
                 pairs(
                         Workloads.without(scene.name(), effect),
                         Workloads.beside(scene.name(), effect)));
@@ -126,7 +120,7 @@ final class AblationLab {
     private List<Sample> samples(String workload, Run.Engine engine) {
         return order.runs().stream()
                 .filter(run -> run.workload().equals(workload) && run.engine() == engine)
-                .map(log::of)
+                .map(run -> Sample.parse(kept.of(run.name()).orElseThrow()))
                 .toList();
     }
 }

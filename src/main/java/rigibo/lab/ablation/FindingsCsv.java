@@ -8,6 +8,7 @@ import rigibo.lab.report.Csv;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** The findings as CSV, a line for each comparison. */
 final class FindingsCsv {
@@ -27,34 +28,24 @@ final class FindingsCsv {
     }
 
     private static String line(Ablation one) {
-        Interval ratio = one.pairs().ratio();
-        String same = "," + one.pairs().haveEqualCounts() + "," + one.pairs().haveEqualBits();
-        return line("undeclared", one.scene(), "", "", one.pairs(), "ratio", ratio) + same;
+        Pairs pairs = one.pairs();
+        Object[] same = {pairs.haveEqualCounts(), pairs.haveEqualBits()};
+        return line("undeclared", one.scene(), "", "", pairs, "ratio", pairs.ratio(), same);
     }
 
-    /** Bodies that use an effect go other ways: bits and work are not compared. */
     private static String line(UseCost use) {
-        return line(
-                        "use",
-                        use.scene(),
-                        use.effect(),
-                        "" + use.users(),
-                        use.pairs(),
-                        "difference_ns",
-                        use.pairs().difference())
-                + ",,";
+        return cost("use", use.scene(), use.effect(), "" + use.users(), use.pairs());
     }
 
     private static String line(Saving saving) {
-        return line(
-                        "left_out",
-                        saving.scene(),
-                        saving.effect(),
-                        "",
-                        saving.pairs(),
-                        "difference_ns",
-                        saving.pairs().difference())
-                + ",,";
+        return cost("left_out", saving.scene(), saving.effect(), "", saving.pairs());
+    }
+
+    /** Bodies that use an effect go other ways: bits and work are not compared. */
+    private static String cost(
+            String table, String scene, String effect, String users, Pairs pairs) {
+        Interval nanos = pairs.difference();
+        return line(table, scene, effect, users, pairs, "difference_ns", nanos, "", "");
     }
 
     private static String line(
@@ -64,19 +55,22 @@ final class FindingsCsv {
             String users,
             Pairs pairs,
             String figure,
-            Interval value) {
-        return Csv.line(
-                table,
-                scene,
-                effect,
-                users,
-                pairs.firstNanos(),
-                pairs.secondNanos(),
-                figure,
-                value.median(),
-                value.low(),
-                value.high(),
-                value.coverage(),
-                pairs.mostBytes());
+            Interval value,
+            Object... same) {
+        Object[] cells = {
+            table,
+            scene,
+            effect,
+            users,
+            pairs.firstNanos(),
+            pairs.secondNanos(),
+            figure,
+            value.median(),
+            value.low(),
+            value.high(),
+            value.coverage(),
+            pairs.mostBytes()
+        };
+        return Csv.line(Stream.concat(Stream.of(cells), Stream.of(same)).toArray());
     }
 }

@@ -10,6 +10,11 @@ package rigibo.lab.ablation;
  */
 record Run(String workload, Engine engine, int round, Budget budget) {
 
+    /** Under which what it finds is kept. */
+    String name() {
+        return String.join(" | ", workload, engine.name(), "" + round, budget.name());
+    }
+
     /** The engine as it is, or without the classes of what a scene does not declare. */
     enum Engine {
         FULL,

@@ -1,7 +1,16 @@
 package rigibo.lab.bench;
 
+import rigibo.backend.Pool;
+import rigibo.lab.bench.probe.BenchProbe;
+import rigibo.lab.bench.probe.Sample;
+import rigibo.lab.child.Kept;
+import rigibo.lab.child.MeasuringJava;
+import rigibo.lab.engine.MeasuredClasses;
+import rigibo.lab.engine.World;
 import rigibo.lab.precision.Environment;
 import rigibo.lab.report.MeasuredPart;
+import rigibo.lab.report.Report;
+import rigibo.lab.truth.Outline;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -13,8 +22,15 @@ import java.util.function.Consumer;
 /** Makes the runs that are asked for and tells what they found. */
 public final class BenchStudy {
 
+    private static final String LOG = "runs.log";
+
+    /** 22,000 bodies of an engine of objects, and what it makes garbage of in a step. */
+    private static final int HEAP_MEGABYTES = 1024;
+
     private final Inquiry inquiry;
-    private final BenchLab lab;
+    private final Class<?> process;
+    private final Kept kept;
+    private final MeasuringJava java = MeasuringJava.onLastCore(HEAP_MEGABYTES);
     private final Environment environment;
 
     /**
@@ -27,7 +43,15 @@ public final class BenchStudy {
     public BenchStudy(Inquiry inquiry, Class<?> process, Environment environment) {
         this.inquiry = inquiry;
         this.environment = environment;
-        lab = new BenchLab(inquiry, process);
+        this.process = process;
+        String key =
+                MeasuredClasses.key(
+                        inquiry.engines(),
+                        Pool.class,
+                        World.class,
+                        Outline.class,
+                        BenchProbe.class);
+        kept = new Kept(inquiry.out().resolve(LOG), key);
     }
 
     /**
@@ -42,16 +66,32 @@ public final class BenchStudy {
      */
     public List<String> make(Optional<Path> table, Optional<Path> page, Consumer<String> tell)
             throws IOException {
-        lab.run(tell);
-        Results results = new Results(lab.runs());
-        BenchReport report = new BenchReport(inquiry, results);
+        List<Task> tasks = inquiry.tasks();
+        kept.make(tasks, Task::name, this::run, tell);
+        Results results = new Results(tasks.stream().map(this::found).toList());
+        Report report = BenchReport.of(inquiry, results);
         if (table.isPresent()) {
             Files.write(table.get(), BenchCsv.lines(results.runs()));
         }
         if (page.isPresent()) {
             MeasuredPart.write(
-                    page.get(), report.markdown(environment.withFlags(lab.method()).provenance()));
+                    page.get(), report.markdown(environment.withFlags(java.words()).provenance()));
         }
         return report.text();
+    }
+
+    private String run(Task task) {
+        try {
+            return java.run(process, task.arguments(), BenchProbe.MARK);
+        } catch (IllegalStateException broken) {
+            throw new IllegalStateException(
+                    task.scene().name() + " by " + task.engine() + " " + broken.getMessage(),
+                    broken);
+        }
+    }
+
+    private Run found(Task task) {
+        Sample sample = Sample.parse(kept.of(task.name()).orElseThrow());
+        return new Run(task.scene().name(), task.engine(), task.round(), sample);
     }
 }

@@ -7,6 +7,7 @@ import rigibo.lab.child.Interval;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.Work;
 import rigibo.lab.report.Amount;
+import rigibo.lab.report.Report.Passage;
 import rigibo.lab.report.Table;
 
 import java.util.ArrayList;
@@ -41,18 +42,18 @@ final class SceneSection {
         this.results = results;
     }
 
-    String title() {
-        return scene.name();
+    Passage passage() {
+        return new Passage(scene.name(), scene.name(), what(), table(), sentences());
     }
 
     /** What it is and which steps were timed. */
-    String what() {
+    private String what() {
         Pace pace = scene.pace();
         String settling = pace.settling() == 0 ? "from the first on" : "after " + pace.settling();
         return scene.what() + "; " + pace.timed() + " steps timed, " + settling;
     }
 
-    Table table() {
+    private Table table() {
         return new Table(HEAD, results.engines(scene.name()).stream().map(this::row).toList());
     }
 
@@ -110,7 +111,7 @@ final class SceneSection {
     }
 
     /** What ours did and whether it is even and without garbage; nothing where it was not run. */
-    List<String> sentences() {
+    private List<String> sentences() {
         List<Sample> ours = results.samples(scene.name(), RigiBoEngine.NAME);
         if (ours.isEmpty()) {
             return List.of();

@@ -6,8 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * What was found, in a file that grows by a line each, so that an interrupted report goes on where
@@ -68,6 +71,26 @@ public final class Kept {
                     StandardOpenOption.APPEND);
         } catch (IOException cause) {
             throw new UncheckedIOException("cannot write " + file, cause);
+        }
+    }
+
+    /**
+     * Makes those of some runs that are missing, one after the other.
+     *
+     * @param name under which what a run finds is kept
+     * @param result makes a run
+     * @param tell is told how far it is
+     */
+    public <R> void make(
+            List<R> runs,
+            Function<R, String> name,
+            Function<R, String> result,
+            Consumer<String> tell) {
+        List<R> missing = runs.stream().filter(run -> of(name.apply(run)).isEmpty()).toList();
+        Progress progress = new Progress(missing.size(), tell);
+        for (R run : missing) {
+            add(name.apply(run), result.apply(run));
+            progress.done();
         }
     }
 }

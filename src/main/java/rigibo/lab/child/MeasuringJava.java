@@ -70,6 +70,12 @@ public final class MeasuringJava {
         return String.join(" ", flags) + ", " + core;
     }
 
+    /** Runs a class of those that run here to its end; returns what follows the mark. */
+    public String run(Class<?> main, List<String> arguments, String mark) {
+        String classPath = System.getProperty("java.class.path");
+        return run(classPath, main, arguments, mark).get(0);
+    }
+
     /**
      * Runs a class to its end.
      *

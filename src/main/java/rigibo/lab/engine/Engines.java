@@ -44,6 +44,12 @@ public final class Engines {
                 .orElseThrow(() -> new NoSuchElementException("no engine '" + name + "' at hand"));
     }
 
+    /** The preset of the game, or another engine as it comes. */
+    public static Setting usual(Engine engine) {
+        Setting first = engine.settings().get(0);
+        return first.line() == Line.PEERS ? first : setting(engine, "GAME");
+    }
+
     /**
      * The setting of a name.
      *

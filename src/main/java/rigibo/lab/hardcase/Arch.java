@@ -3,6 +3,7 @@ package rigibo.lab.hardcase;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,7 +13,7 @@ import java.util.List;
  * Truth: a half ring stands by its own weight where its thickness is above 0.107 of its radius (J.
  * Heyman, The masonry arch, 1982); here it is 0.26. Nothing moves but for the joints' settling.
  */
-final class Arch implements HardCase {
+final class Arch implements Scenes {
 
     private static final int STONES = 17;
     private static final int PLANKS = 4;
@@ -23,39 +24,19 @@ final class Arch implements HardCase {
     private static final double SETTLING = 0.01;
 
     @Override
-    public String row() {
-        return "60/arch";
-    }
-
-    @Override
-    public String title() {
-        return "an arch of stones stands by its own weight";
-    }
-
-    @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(0.6, 0));
+        WatchedPool pool = trial.ground(0.6, 0);
         List<RigidBody> stones = new ArrayList<>();
         for (int i = 0; i < STONES; i++) {
             stones.add(pool.add(stone(Math.PI * i / STONES, Math.PI * (i + 1) / STONES)));
         }
         double top = OUTER * Math.cos(Math.PI / 2 / STONES);
         for (int i = 0; i < PLANKS; i++) {
-            stones.add(
-                    pool.add(
-                            BodyDefinition.dynamic(Polygon.box(1, PLANK))
-                                    .at(0, top + (i + 0.5) * PLANK)
-                                    .material(Surroundings.matter(0.6, 0))));
+            stones.add(pool.add(Solid.box(1, PLANK, 0.6, 0).at(0, top + (i + 0.5) * PLANK)));
         }
-        List<double[]> starts = new ArrayList<>();
-        stones.forEach(stone -> starts.add(new double[] {stone.x(), stone.y()}));
+        Places starts = new Places(stones);
         pool.run(HORIZON);
-        for (int i = 0; i < stones.size(); i++) {
-            double dx = stones.get(i).x() - starts.get(i)[0];
-            double dy = stones.get(i).y() - starts.get(i)[1];
-            trial.measure("moved in 30 s", Math.hypot(dx, dy), "m", SETTLING);
-        }
+        trial.measure("moved in 30 s", starts.farthest(), "m", SETTLING);
         double limit = 2 * Trial.TOLERATED_OVERLAP;
         trial.measure("overlap at rest", pool.overlapNow(), "width", limit);
     }
@@ -69,8 +50,6 @@ final class Arch implements HardCase {
         };
         Polygon wedge = Polygon.of(xy);
         // A polygon keeps its corners relative to its centre of mass.
-        return BodyDefinition.dynamic(wedge)
-                .at(xy[0] - wedge.cornerX(0), xy[1] - wedge.cornerY(0))
-                .material(Surroundings.matter(0.6, 0));
+        return Solid.of(wedge, 0.6, 0).at(xy[0] - wedge.cornerX(0), xy[1] - wedge.cornerY(0));
     }
 }

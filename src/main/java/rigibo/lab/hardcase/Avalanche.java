@@ -6,6 +6,7 @@ import rigibo.backend.setup.BodyType;
 import rigibo.lab.bench.scene.Crowd;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.bench.scene.Tumbler;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -53,8 +54,7 @@ enum Avalanche {
 
     private static final int COLUMNS = 4;
 
-    private static final BodyDefinition FLOOR =
-            BodyDefinition.fixed(Polygon.box(400, 2)).at(0, -1).material(Crowd.STONE);
+    private static final BodyDefinition FLOOR = Solid.fixed(400, 2).at(0, -1).material(Crowd.STONE);
 
     /** The scene of a seed. */
     abstract Scene scene(int boxes, long seed);

@@ -1,15 +1,14 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Bounces;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: {@link Bounces}, for ten apexes. The sweep over 25 phases of the first impact within a
  * step is essential: errors depend on where in the step the impact falls.
  */
-final class BallDrop implements HardCase {
+final class BallDrop implements Scenes {
 
     private static final double RADIUS = 0.25;
     private static final double HEIGHT = 2;
@@ -19,16 +18,6 @@ final class BallDrop implements HardCase {
 
     /** Least evaluations per impact that would be a defect: bisection to 1e-9 m takes about 30. */
     private static final double MANY_EVALUATIONS = 64;
-
-    @Override
-    public String row() {
-        return "10";
-    }
-
-    @Override
-    public String title() {
-        return "a ball rebounds to e² of its height, at every phase of the step";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -44,14 +33,9 @@ final class BallDrop implements HardCase {
     }
 
     private static void drop(Trial trial, Bounces truth, double e) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(0.5, e));
+        WatchedPool pool = trial.ground(0.5, e);
         double start = RADIUS + Bounces.heightOfFall(truth.firstImpact());
-        RigidBody ball =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
-                                .at(0, start)
-                                .material(Surroundings.matter(0.5, e)));
+        RigidBody ball = pool.add(Solid.disc(RADIUS, 0.5, e).at(0, start));
         double leeway = trial.preset() == Preset.EXACT ? 1e-5 : 1e-2;
         double end = Math.min(truth.impactTime(APEXES + 1), truth.restTime());
         while (pool.time() < end - leeway) {

@@ -1,8 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * One disc meets two that touch, all equal, smooth and elastic. Truth (Johann Bernoulli): both
@@ -11,34 +11,17 @@ import rigibo.backend.setup.BodyDefinition;
  * with a gap δ left open turns the normals by 0.58·δ and the velocities by 0.3·δ of v: GAME, whose
  * δ is up to 0.1 mm, cannot be held to 1e-9.
  */
-final class Bernoulli implements HardCase {
+final class Bernoulli implements Scenes {
 
     private static final double SPEED = 10;
     private static final int PHASES = 5;
 
     @Override
-    public String row() {
-        return "51";
-    }
-
-    @Override
-    public String title() {
-        return "a disc that meets two at once rebounds with a fifth of its speed";
-    }
-
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
     public void run(Trial trial) {
         for (int phase = 0; phase < PHASES; phase++) {
             trial.variant("phase " + phase);
-            WatchedPool pool = trial.pool(Surroundings.space());
-            BodyDefinition disc =
-                    BodyDefinition.dynamic(new Circle(0.5)).material(Surroundings.matter(0, 1));
+            WatchedPool pool = trial.space();
+            BodyDefinition disc = Solid.disc(0.5, 0, 1);
             double way = SPEED * (4 + (phase + 0.5) / PHASES) * Trial.DT;
             RigidBody cue = pool.add(disc.at(-Math.sqrt(0.75) - way, 0).velocity(SPEED, 0));
             RigidBody upper = pool.add(disc.at(0, 0.5));

@@ -4,52 +4,50 @@ import rigibo.backend.RigidBody;
 import rigibo.lab.truth.Room;
 
 /** A smooth disc in a room, e = 1, v = (200, 153). Truth: {@link Room}. */
-final class Billiard implements HardCase {
+final class Billiard implements Scenes {
 
     private static final double VX = 200;
     private static final double VY = 153;
     private static final Room ROOM = new Room(VX, VY);
 
     @Override
-    public String row() {
-        return "41";
-    }
-
-    @Override
-    public String title() {
-        return "a disc in a room follows the unfolded line";
-    }
-
-    @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.space());
+        WatchedPool pool = trial.space();
         RigidBody disc = disc(pool);
         boolean isExact = trial.preset() == Preset.EXACT;
-        double horizon = (isExact ? 1000 : 100) / bouncesPerSecond();
+        double horizon = (isExact ? 1000 : 100) / ROOM.bouncesPerSecond();
         while (pool.time() < horizon) {
             pool.step();
-            double off = off(disc, pool.time());
+            double off = ROOM.off(disc.x(), disc.y(), pool.time());
             trial.measure("place after 1000 / 100 bounces", off, "of L", 1e-6, 1e-3);
             trial.measure("speed changed", speedChange(disc), "of v", 1e-12, 1e-3);
         }
     }
 
+    /**
+     * For an hour, 149,000 bounces. Truth: its speed stays. A bounce rounds three times, by half of
+     * 2.2e-16 each; should all of them go the same way, that is 5e-11.
+     */
+    static void keepSpeedForAnHour(Trial trial) {
+        WatchedPool pool = trial.space();
+        RigidBody disc = disc(pool);
+        Limits limits = Limits.of(1e-3, 5e-11);
+        new Hour(trial, pool)
+                .run(() -> trial.measure("speed changed", speedChange(disc), "of v", limits));
+        double time = Hour.STEPS * Trial.DT;
+        double bounces = ROOM.bouncesPerSecond() * time;
+        double missing = Math.abs(trial.work().impacts() - bounces);
+        trial.measure("bounces too many or too few", missing, "bounces", 2, 1e-3 * bounces);
+        trial.report("place after an hour", ROOM.off(disc.x(), disc.y(), time), "of L");
+    }
+
     /** Builds the room and the disc in it. */
-    static RigidBody disc(WatchedPool pool) {
+    private static RigidBody disc(WatchedPool pool) {
         ROOM.walls().forEach(pool::add);
         return pool.add(ROOM.disc());
     }
 
-    static double bouncesPerSecond() {
-        return ROOM.bouncesPerSecond();
-    }
-
-    /** How far the disc is from where it is in truth, as a share of the room's width. */
-    static double off(RigidBody disc, double time) {
-        return ROOM.off(disc.x(), disc.y(), time);
-    }
-
-    static double speedChange(RigidBody disc) {
+    private static double speedChange(RigidBody disc) {
         double speed = Math.hypot(disc.velocityX(), disc.velocityY());
         return Math.abs(speed / Math.hypot(VX, VY) - 1);
     }

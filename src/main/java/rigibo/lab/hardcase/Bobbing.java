@@ -5,8 +5,8 @@ import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Rotation;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth, in water of density 1 up to y = 0: a box of height 1 and density ρ floats with its centre
@@ -14,29 +14,13 @@ import rigibo.backend.setup.BodyDefinition;
  * the width b it rolls with ω² = mg·GM/I about its metacentre, GM = b²/12ρ − (1 − ρ)/2 (Bouguer
  * 1746); that is to first order in the tilt, and the next order is its square.
  */
-final class Bobbing implements HardCase {
+final class Bobbing implements Scenes {
 
     private static final double DENSITY = 0.6;
     private static final double WIDTH = 3;
     private static final double LIFTED = 0.2;
     private static final double TILT = 1e-4;
     private static final double HORIZON = 20;
-
-    @Override
-    public String row() {
-        return "origin/bobbing";
-    }
-
-    @Override
-    public String title() {
-        return "a box bobs and rolls in water with its periods";
-    }
-
-    /** DRAFT takes a force that changes along the way once a step. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -67,12 +51,8 @@ final class Bobbing implements HardCase {
                                 new Gravity(0, -Trial.GRAVITY),
                                 new Rotation(),
                                 new Buoyancy(0, 1, 0)));
-        box[0] =
-                pool.add(
-                        BodyDefinition.dynamic(Polygon.box(WIDTH, 1))
-                                .at(0, 0.5 - DENSITY + up)
-                                .angle(angle)
-                                .material(Surroundings.matter(0, 0).density(DENSITY)));
+        BodyDefinition raft = Solid.box(WIDTH, 1).material(Solid.matter(0, 0).density(DENSITY));
+        box[0] = pool.add(raft.at(0, 0.5 - DENSITY + up).angle(angle));
         return pool;
     }
 }

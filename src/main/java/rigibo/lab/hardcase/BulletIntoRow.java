@@ -2,10 +2,9 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Aabb;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -16,7 +15,7 @@ import java.util.SplittableRandom;
  * wall of 1 mm to 1 m. Truth: nothing is ever through the wall or the floor, nor the disc through a
  * box; over the wall is a way. Where something must give, the boxes overlap, and it is told.
  */
-final class BulletIntoRow implements HardCase {
+final class BulletIntoRow implements Scenes {
 
     private static final int FEW = 100;
     private static final int ALL = 4000;
@@ -28,28 +27,6 @@ final class BulletIntoRow implements HardCase {
 
     /** Of a body's width: the engine tells of what is crushed deeper. */
     private static final double CRUSHED = 0.05;
-
-    @Override
-    public String row() {
-        return "M3";
-    }
-
-    @Override
-    public String title() {
-        return "a heavy bullet drives nothing through a wall, nor itself through a box";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
-    public String finding() {
-        return "Of a thousand bullets two or three, heavy and fast, are through a box: elimination"
-                + " has spent what an island is worth, and passes give way wherever they leave"
-                + " off.";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -87,23 +64,23 @@ final class BulletIntoRow implements HardCase {
         private double deepest;
 
         Shot(Trial trial, SplittableRandom random) {
-            Material matter = Surroundings.matter(0.5, 0.5 * random.nextDouble());
+            Material matter = Solid.matter(0.5, 0.5 * random.nextDouble());
             thickness = between(random, 1e-3, 1);
-            pool = trial.pool(Surroundings.earth()).withOverlapOfItsOwn();
-            pool.add(BodyDefinition.fixed(Polygon.box(8000, 2)).at(0, -1).material(matter));
+            pool = trial.earth().withOverlapOfItsOwn();
+            pool.add(Solid.fixed(8000, 2).at(0, -1).material(matter));
             pool.add(
-                    BodyDefinition.fixed(Polygon.box(thickness, WALL_HEIGHT))
+                    Solid.fixed(thickness, WALL_HEIGHT)
                             .at(thickness / 2, WALL_HEIGHT / 2)
                             .material(matter));
             int count = 1 + random.nextInt(5);
-            BodyDefinition box = BodyDefinition.dynamic(Polygon.box(1, 1)).material(matter);
+            BodyDefinition box = Solid.box(1, 1).material(matter);
             for (int i = 0; i < count; i++) {
                 boxes.add(pool.add(box.at(-0.5 - i, 0.5)));
             }
             double radius = 0.1 + 0.3 * random.nextDouble();
             bullet =
                     pool.add(
-                            BodyDefinition.dynamic(new Circle(radius))
+                            Solid.disc(radius)
                                     .at(
                                             -count - radius - 0.01 - 3 * random.nextDouble(),
                                             radius

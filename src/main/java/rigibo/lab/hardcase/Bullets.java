@@ -1,9 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.Random;
 
@@ -13,22 +11,12 @@ import java.util.Random;
  * That holds at DRAFT, too: a lone disc meets a face on a straight line, whose end is known in
  * closed form however far it goes in a step.
  */
-final class Bullets implements HardCase {
+final class Bullets implements Scenes {
 
     private static final long SEED = 40;
     private static final int COUNT = 10_000;
     private static final double RADIUS = 0.1;
     private static final double WALL_HEIGHT = 20;
-
-    @Override
-    public String row() {
-        return "40";
-    }
-
-    @Override
-    public String title() {
-        return "no bullet passes a wall";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -52,18 +40,14 @@ final class Bullets implements HardCase {
         double way = RADIUS + 0.01 + random.nextDouble() * 4;
         double vx = speed * Math.cos(angle);
         double vy = speed * Math.sin(angle);
-        WatchedPool pool = trial.pool(Surroundings.space());
-        pool.add(
-                BodyDefinition.fixed(Polygon.box(thickness, WALL_HEIGHT))
-                        .at(thickness / 2, 0)
-                        .material(Surroundings.matter(0, e)));
+        WatchedPool pool = trial.space();
+        pool.add(Solid.fixed(thickness, WALL_HEIGHT, 0, e).at(thickness / 2, 0));
         // Aimed at the middle of the wall.
         RigidBody ball =
                 pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
+                        Solid.disc(RADIUS, 0, e)
                                 .at(-way, -(way - RADIUS) * vy / vx)
-                                .velocity(vx, vy)
-                                .material(Surroundings.matter(0, e)));
+                                .velocity(vx, vy));
         double impact = (way - RADIUS) / vx;
         boolean isStopped = true;
         while (pool.time() < impact + 2 * dt) {

@@ -1,8 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Discs of 0.1 m at ±200 m/s, head on and with the impact parameter b = r. Truth: they touch when
@@ -10,27 +10,11 @@ import rigibo.backend.setup.BodyDefinition;
  * they exchange the components along the normal. From where each is afterwards follows the time of
  * the impact, for it flew at v before and at v′ since.
  */
-final class BulletsMeet implements HardCase {
+final class BulletsMeet implements Scenes {
 
     private static final double RADIUS = 0.1;
     private static final double SPEED = 200;
     private static final int PHASES = 25;
-
-    @Override
-    public String row() {
-        return "45";
-    }
-
-    @Override
-    public String title() {
-        return "two bullets meet in flight";
-    }
-
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -46,9 +30,8 @@ final class BulletsMeet implements HardCase {
         double sin = parameter / (2 * RADIUS);
         double cos = Math.sqrt(1 - sin * sin);
         double x = RADIUS * cos + SPEED * impact;
-        WatchedPool pool = trial.pool(Surroundings.space());
-        BodyDefinition disc =
-                BodyDefinition.dynamic(new Circle(RADIUS)).material(Surroundings.matter(0, 1));
+        WatchedPool pool = trial.space();
+        BodyDefinition disc = Solid.disc(RADIUS, 0, 1);
         RigidBody left = pool.add(disc.at(-x, 0).velocity(SPEED, 0));
         RigidBody right = pool.add(disc.at(x, parameter).velocity(-SPEED, 0));
         pool.run(4 * Trial.DT);

@@ -5,6 +5,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -13,20 +14,10 @@ import java.util.Map;
  * Smooth sliding over a floor of forty separate boxes side by side. Truth: the floor is one plane,
  * so speed and height are constant; the edges between the boxes are inside the floor.
  */
-final class ButtedBoxes implements HardCase {
+final class ButtedBoxes implements Scenes {
 
     private static final int BOXES = 40;
     private static final double WAY = 34;
-
-    @Override
-    public String row() {
-        return "47";
-    }
-
-    @Override
-    public String title() {
-        return "nothing catches at the joints of a floor";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -44,18 +35,12 @@ final class ButtedBoxes implements HardCase {
     }
 
     private static void slide(Trial trial, Shape shape, double speed) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        BodyDefinition box =
-                BodyDefinition.fixed(Polygon.box(1, 1)).material(Surroundings.matter(0, 0));
+        WatchedPool pool = trial.earth();
+        BodyDefinition box = Solid.fixed(1, 1, 0, 0);
         for (int i = 0; i < BOXES; i++) {
             pool.add(box.at(i, -0.5));
         }
-        RigidBody body =
-                pool.add(
-                        BodyDefinition.dynamic(shape)
-                                .at(2, height(shape))
-                                .velocity(speed, 0)
-                                .material(Surroundings.matter(0, 0)));
+        RigidBody body = pool.add(Solid.of(shape, 0, 0).at(2, height(shape)).velocity(speed, 0));
         double y = body.y();
         while (pool.time() < WAY / speed) {
             pool.step();

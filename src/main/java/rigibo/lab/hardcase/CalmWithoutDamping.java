@@ -4,7 +4,6 @@ import rigibo.lab.bench.scene.Scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -13,38 +12,11 @@ import java.util.function.ToDoubleFunction;
  * sixteenth of the step. What buys its calm by damping or clamps spreads less far and stands
  * steeper.
  */
-final class CalmWithoutDamping implements HardCase {
+record CalmWithoutDamping(Avalanche avalanche) implements Scenes {
 
     private static final int REFERENCE_PARTS = 16;
     private static final double HORIZON = 6;
     private static final Limits MOST_OFF = Limits.same(0.03);
-
-    private final Avalanche avalanche;
-
-    CalmWithoutDamping(Avalanche avalanche) {
-        this.avalanche = avalanche;
-    }
-
-    @Override
-    public String row() {
-        return "M16/" + name();
-    }
-
-    @Override
-    public String title() {
-        return "a "
-                + name()
-                + " of boxes flows as far, as high and as fast as in truth, on average";
-    }
-
-    private String name() {
-        return avalanche.name().toLowerCase(Locale.ROOT);
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {

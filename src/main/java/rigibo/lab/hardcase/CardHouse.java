@@ -1,8 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -15,7 +15,7 @@ import java.util.List;
  * stands. It is laid with gaps of a fraction of a millimetre, and the outer feet are a card's
  * thickness too high; storey by storey that makes a centimetre at most.
  */
-final class CardHouse implements HardCase {
+final class CardHouse implements Scenes {
 
     private static final int STOREYS = 5;
     private static final double LENGTH = 0.4;
@@ -30,31 +30,12 @@ final class CardHouse implements HardCase {
     private static final double RISE = LENGTH * Math.cos(LEAN) + THICKNESS * Math.sin(LEAN);
 
     @Override
-    public String row() {
-        return "60/cards";
-    }
-
-    @Override
-    public String title() {
-        return "a house of cards of five storeys stands";
-    }
-
-    @Override
-    public Preset fastest() {
-        return Preset.FINE;
-    }
-
-    @Override
-    public String finding() {
-        return "At EXACT taking back the overlap of the first steps lifts what lies above by 3e-6"
-                + " of the energy at the start in a step.";
-    }
-
-    @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(FRICTION, 0));
-        judge(trial, pool, build(pool));
+        WatchedPool pool = trial.ground(FRICTION, 0);
+        Places starts = new Places(build(pool));
+        pool.run(HORIZON);
+        trial.measure("moved in 10 s", starts.farthest(), "m", 0.02);
+        trial.measure("fastest in the end", pool.fastest(), "m/s", 1e-3);
     }
 
     private static List<RigidBody> build(WatchedPool pool) {
@@ -92,21 +73,6 @@ final class CardHouse implements HardCase {
     }
 
     private static BodyDefinition card() {
-        return BodyDefinition.dynamic(Polygon.box(LENGTH, THICKNESS))
-                .material(Surroundings.matter(FRICTION, 0));
-    }
-
-    private static void judge(Trial trial, WatchedPool pool, List<RigidBody> cards) {
-        List<double[]> starts = new ArrayList<>();
-        cards.forEach(card -> starts.add(new double[] {card.x(), card.y()}));
-        pool.run(HORIZON);
-        for (int i = 0; i < cards.size(); i++) {
-            RigidBody card = cards.get(i);
-            double dx = card.x() - starts.get(i)[0];
-            double dy = card.y() - starts.get(i)[1];
-            trial.measure("moved in 10 s", Math.hypot(dx, dy), "m", 0.02);
-            double speed = Math.hypot(card.velocityX(), card.velocityY());
-            trial.measure("fastest in the end", speed, "m/s", 1e-3);
-        }
+        return Solid.box(LENGTH, THICKNESS, FRICTION, 0);
     }
 }

@@ -8,6 +8,8 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: a box laid at rest on a belt of speed V slips under μmg for T = V/μg = 0.4077 s and moves
@@ -15,28 +17,12 @@ import rigibo.backend.setup.Material;
  * likewise on a floor at rest. A disc is also spun by the friction: its rim meets the belt at 3μgt,
  * so it rolls from V/3μg on, at V/3. An impact that sticks gives a disc the same V/3 at once.
  */
-final class Conveyor implements HardCase {
+final class Conveyor implements Scenes {
 
     private static final double SPEED = 2;
     private static final double FRICTION = 0.5;
     private static final double SLIP_TIME = SPEED / (FRICTION * Trial.GRAVITY);
     private static final double SLIP_WAY = SPEED * SLIP_TIME / 2;
-
-    @Override
-    public String row() {
-        return "63";
-    }
-
-    @Override
-    public String title() {
-        return "a conveyor takes up what lies on it and carries it at its speed";
-    }
-
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -58,7 +44,7 @@ final class Conveyor implements HardCase {
     private static void takeUp(
             Trial trial, Shape shape, double floorSpeed, double ownSpeed, double share) {
         WatchedPool pool = pool(trial);
-        pool.add(Surroundings.floor(FRICTION, 0).material(matter(floorSpeed, 0)));
+        pool.add(Earth.floor(FRICTION, 0).material(matter(floorSpeed, 0)));
         RigidBody body =
                 pool.add(BodyDefinition.dynamic(shape).at(0, 0.25).material(matter(ownSpeed, 0)));
         double end = -share * (floorSpeed + ownSpeed);
@@ -84,12 +70,9 @@ final class Conveyor implements HardCase {
 
     private static void strike(Trial trial) {
         WatchedPool pool = pool(trial);
-        pool.add(Surroundings.floor(1, 0).material(matter(-SPEED, 0.5).friction(1)));
+        pool.add(Earth.floor(1, 0).material(matter(-SPEED, 0.5).friction(1)));
         RigidBody disc =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(0.25))
-                                .at(0, 1.25)
-                                .material(matter(0, 0.5).friction(1)));
+                pool.add(Solid.disc(0.25).at(0, 1.25).material(matter(0, 0.5).friction(1)));
         while (disc.velocityY() <= 0) {
             pool.step();
         }
@@ -99,11 +82,11 @@ final class Conveyor implements HardCase {
     }
 
     private static WatchedPool pool(Trial trial) {
-        Effects effects = Surroundings.earth().with(new SurfaceSpeed());
+        Effects effects = Earth.effects().with(new SurfaceSpeed());
         return trial.pool(effects);
     }
 
     private static Material matter(double surfaceSpeed, double elasticity) {
-        return Surroundings.matter(FRICTION, elasticity).surfaceSpeed(surfaceSpeed);
+        return Solid.matter(FRICTION, elasticity).surfaceSpeed(surfaceSpeed);
     }
 }

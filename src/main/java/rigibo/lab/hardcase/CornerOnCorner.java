@@ -1,15 +1,15 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Two smooth squares at 45° fly at each other vertex to vertex, e = 1. Truth: whatever normal the
  * vertices choose, energy is kept; and the mirrored scene does the mirrored thing, as far as the
  * offset tells which is which.
  */
-final class CornerOnCorner implements HardCase {
+final class CornerOnCorner implements Scenes {
 
     private static final double SPEED = 4;
 
@@ -20,16 +20,6 @@ final class CornerOnCorner implements HardCase {
     private static final double IMPACT_GAP = 1e-8;
 
     private static final double HALF_DIAGONAL = Math.sqrt(0.5);
-
-    @Override
-    public String row() {
-        return "16";
-    }
-
-    @Override
-    public String title() {
-        return "vertex meets vertex without harm";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -51,11 +41,8 @@ final class CornerOnCorner implements HardCase {
 
     private static RigidBody meet(Trial trial, double offset) {
         trial.variant("offset " + offset);
-        WatchedPool pool = trial.pool(Surroundings.space());
-        BodyDefinition square =
-                BodyDefinition.dynamic(Polygon.box(1, 1))
-                        .angle(Math.PI / 4)
-                        .material(Surroundings.matter(0, 1));
+        WatchedPool pool = trial.space();
+        BodyDefinition square = Solid.box(1, 1, 0, 1).angle(Math.PI / 4);
         double x = HALF_DIAGONAL + SPEED * 6.4 * Trial.DT;
         RigidBody a = pool.add(square.at(-x, offset / 2).velocity(SPEED, 0));
         RigidBody b = pool.add(square.at(x, -offset / 2).velocity(-SPEED, 0));

@@ -1,9 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,35 +12,13 @@ import java.util.List;
  * at v. Truth: the last k leave at v and the others stay. It is the limit of impacts one after the
  * other, which a row with gaps has in any case. Energy is kept for a hundred crossings.
  */
-final class Cradle implements HardCase {
+final class Cradle implements Scenes {
 
     private static final int COUNT = 5;
     private static final double SPEED = 2;
     private static final double APPROACH = 0.5;
     private static final double FREE_WAY = 2;
     private static final int CROSSINGS = 100;
-
-    @Override
-    public String row() {
-        return "50";
-    }
-
-    @Override
-    public String title() {
-        return "as many discs leave a row as came in";
-    }
-
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
-    public String finding() {
-        return "At DRAFT nobody looks for impacts in flight: what is fast is found in overlap a"
-                + " step later, and pushed out.";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -54,14 +31,12 @@ final class Cradle implements HardCase {
     }
 
     private static void strike(Trial trial, double gap, int launched) {
-        WatchedPool pool = trial.pool(Surroundings.space());
-        BodyDefinition wall =
-                BodyDefinition.fixed(Polygon.box(1, 4)).material(Surroundings.matter(0, 1));
+        WatchedPool pool = trial.space();
+        BodyDefinition wall = Solid.fixed(1, 4, 0, 1);
         double end = (COUNT - 1) * (1 + gap) + 0.5;
         pool.add(wall.at(-APPROACH - FREE_WAY - 1, 0));
         pool.add(wall.at(end + FREE_WAY + 0.5, 0));
-        BodyDefinition disc =
-                BodyDefinition.dynamic(new Circle(0.5)).material(Surroundings.matter(0, 1));
+        BodyDefinition disc = Solid.disc(0.5, 0, 1);
         List<RigidBody> row = new ArrayList<>();
         for (int i = 0; i < COUNT; i++) {
             double x = i * (1 + gap) - (i < launched ? APPROACH : 0);

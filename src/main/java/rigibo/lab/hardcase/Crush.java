@@ -4,35 +4,25 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.StepReport;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * A kinematic wall pushes a box at 0.5 m/s against a fixed one, along a floor. Truth: there is no
  * room for the box, so either the overlap grows or the box leaves; but it never gets through a wall
  * unseen, nothing explodes, and both contacts are told as events.
  */
-final class Crush implements HardCase {
+final class Crush implements Scenes {
 
     private static final double MOST_SPEED = 3;
     private static final double HORIZON = 3;
 
     @Override
-    public String row() {
-        return "64";
-    }
-
-    @Override
-    public String title() {
-        return "a box crushed between walls does not explode";
-    }
-
-    @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth()).allowingOverlap();
-        pool.add(Surroundings.floor(0.5, 0));
-        RigidBody fixed = pool.add(BodyDefinition.fixed(Polygon.box(1, 6)).at(2, 3.01));
+        WatchedPool pool = trial.ground(0.5, 0).allowingOverlap();
+        RigidBody fixed = pool.add(Solid.fixed(1, 6).at(2, 3.01));
         RigidBody press =
                 pool.add(BodyDefinition.kinematic(Polygon.box(1, 6)).at(-1, 3.01).velocity(0.5, 0));
-        RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0.2, 0.5));
+        RigidBody box = pool.add(Solid.box(1, 1).at(0.2, 0.5));
         boolean isPressed = false;
         boolean isToldOf = false;
         while (pool.time() < HORIZON) {

@@ -2,9 +2,8 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Thrust;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.Locale;
 
@@ -13,20 +12,10 @@ import java.util.Locale;
  * changes; what is merely extreme stays finite; and a body driven beyond all numbers is put to rest
  * without a trace in its neighbours.
  */
-final class DegenerateInput implements HardCase {
+final class DegenerateInput implements Scenes {
 
     /** N: a number that the door takes, for a body of 1 kg that no speed can answer. */
     private static final double BEYOND_ALL_BOUNDS = 1e300;
-
-    @Override
-    public String row() {
-        return "57";
-    }
-
-    @Override
-    public String title() {
-        return "senseless input is refused and extreme input stays finite";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -37,9 +26,9 @@ final class DegenerateInput implements HardCase {
     }
 
     private static void refuse(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth().with(new Thrust()));
-        pool.add(Surroundings.floor(0.5, 0));
-        RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.5));
+        WatchedPool pool = trial.pool(Earth.effects().with(new Thrust()));
+        pool.add(Earth.floor(0.5, 0));
+        RigidBody box = pool.add(Solid.box(1, 1).at(0, 0.5));
         pool.step();
         new Refusals(pool.pool())
                 .attempts()
@@ -62,41 +51,38 @@ final class DegenerateInput implements HardCase {
 
     private static void extreme(Trial trial) {
         trial.variant("empty pool");
-        trial.pool(Surroundings.earth()).step();
+        trial.earth().step();
         trial.variant("a step of 10 s");
-        WatchedPool longStep = trial.pool(Surroundings.earth());
-        longStep.add(Surroundings.floor(0.5, 0));
-        longStep.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 3));
+        WatchedPool longStep = trial.ground(0.5, 0);
+        longStep.add(Solid.box(1, 1).at(0, 3));
         longStep.step(10);
         longStep.run(1);
         trial.variant("a step of 1 ns");
-        WatchedPool shortStep = trial.pool(Surroundings.earth());
-        shortStep.add(Surroundings.floor(0.5, 0));
-        shortStep.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.5));
+        WatchedPool shortStep = trial.ground(0.5, 0);
+        shortStep.add(Solid.box(1, 1).at(0, 0.5));
         shortStep.step(1e-9);
         shortStep.run(1);
         trial.variant("a sliver of 1 to 10,000");
-        WatchedPool sliver = trial.pool(Surroundings.earth());
-        sliver.add(Surroundings.floor(0.5, 0));
-        sliver.add(BodyDefinition.dynamic(Polygon.box(10, 1e-3)).at(0, 1).angle(0.2));
+        WatchedPool sliver = trial.ground(0.5, 0);
+        sliver.add(Solid.box(10, 1e-3).at(0, 1).angle(0.2));
         sliver.run(3);
         trial.variant("a grain and a planet");
-        WatchedPool sizes = trial.pool(Surroundings.space());
-        sizes.add(BodyDefinition.dynamic(new Circle(1e-6)).at(-1, 0).velocity(1, 0));
-        sizes.add(BodyDefinition.dynamic(new Circle(1e6)).at(1e6, 0));
+        WatchedPool sizes = trial.space();
+        sizes.add(Solid.disc(1e-6).at(-1, 0).velocity(1, 0));
+        sizes.add(Solid.disc(1e6).at(1e6, 0));
         sizes.run(3);
         trial.variant("as fast as light");
-        WatchedPool fast = trial.pool(Surroundings.space());
-        fast.add(BodyDefinition.fixed(Polygon.box(1, 10)).at(100, 0));
-        fast.add(BodyDefinition.dynamic(new Circle(1)).velocity(299_792_458, 0));
+        WatchedPool fast = trial.space();
+        fast.add(Solid.fixed(1, 10).at(100, 0));
+        fast.add(Solid.disc(1).velocity(299_792_458, 0));
         fast.run(0.5);
     }
 
     private static void poison(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth().with(new Thrust())).allowingOverlap();
-        pool.add(Surroundings.floor(0.5, 0));
-        RigidBody neighbour = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.5));
-        RigidBody poisoned = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
+        WatchedPool pool = trial.pool(Earth.effects().with(new Thrust())).allowingOverlap();
+        pool.add(Earth.floor(0.5, 0));
+        RigidBody neighbour = pool.add(Solid.box(1, 1).at(0, 0.5));
+        RigidBody poisoned = pool.add(Solid.box(1, 1).at(0, 1.5));
         pool.run(0.5);
         poisoned.applyForce(BEYOND_ALL_BOUNDS, 0, poisoned.x(), poisoned.y());
         int quarantined = pool.step().quarantined();

@@ -3,9 +3,8 @@ package rigibo.lab.hardcase;
 import rigibo.backend.ContactEvent;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Sleep;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Bounces;
+import rigibo.lab.truth.Earth;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -15,21 +14,11 @@ import java.util.List;
  * Truth: everything above falls freely from the very next step, v = −g·dt after one step, without
  * any kick left in the contacts; everything below sleeps on.
  */
-final class DeletedSupport implements HardCase {
+final class DeletedSupport implements Scenes {
 
     private static final int COUNT = 10;
     private static final double MOST_SECONDS_AWAKE = 5;
     private static final int STEPS_OF_FALL = 3;
-
-    @Override
-    public String row() {
-        return "65";
-    }
-
-    @Override
-    public String title() {
-        return "what loses its support falls freely, at once";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -50,11 +39,9 @@ final class DeletedSupport implements HardCase {
     }
 
     private static WatchedPool asleep(Trial trial, List<RigidBody> stack) {
-        WatchedPool pool = trial.pool(Surroundings.earth().with(new Sleep()));
-        stack.add(pool.add(Surroundings.floor(0.5, 0)));
-        for (int i = 0; i < COUNT; i++) {
-            stack.add(pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, i + 0.5)));
-        }
+        WatchedPool pool = trial.pool(Earth.effects().with(new Sleep()));
+        stack.add(pool.add(Earth.floor(0.5, 0)));
+        stack.addAll(pool.stack(COUNT));
         while (pool.time() < MOST_SECONDS_AWAKE && stack.get(COUNT).isAwake()) {
             pool.step();
         }

@@ -1,11 +1,10 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Fifteen dominoes of 0.25 × 1 at a spacing of 1, the first struck at its top by 0.2 N·s. Truth:
@@ -13,39 +12,27 @@ import java.util.List;
  * with I = m(w² + h²)/3 lifts its centre over the edge, by (√(w² + h²) − h)/2: from ω0 = 0.9233
  * rad/s.
  */
-final class Dominoes implements HardCase {
+final class Dominoes {
 
     private static final int COUNT = 15;
     private static final double WIDTH = 0.25;
     private static final double IMPULSE = 0.2;
     private static final double HORIZON = 20;
 
-    @Override
-    public String row() {
-        return "60/dominoes";
-    }
+    /** Of the row in which a wave is watched. */
+    private static final int WAVE = 30;
 
-    @Override
-    public String title() {
-        return "a row of dominoes falls, and one falls only if struck enough";
-    }
+    private static final double WAVE_HORIZON = 30;
+    private static final int FIRST_STEADY = 10;
 
-    /** One substep a step is too few for what turns on a corner. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
+    /** The last few have none behind them to lean on. */
+    private static final int LAST_STEADY = 25;
 
-    @Override
-    public String finding() {
-        return "At FINE and EXACT a domino struck at 1.01 of the threshold has some millionths more"
-                + " energy, when it falls, than it began with.";
-    }
+    private Dominoes() {}
 
-    @Override
-    public void run(Trial trial) {
+    static void fall(Trial trial) {
         trial.variant("row");
-        row(trial);
+        fallInARow(trial);
         double diagonal = Math.hypot(WIDTH, 1);
         double lift = (diagonal - 1) / 2;
         double threshold = Math.sqrt(2 * Trial.GRAVITY * lift / (diagonal * diagonal / 3));
@@ -56,36 +43,73 @@ final class Dominoes implements HardCase {
         }
     }
 
-    private static void row(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(0.5, 0));
-        List<RigidBody> dominoes = new ArrayList<>();
-        for (int i = 0; i < COUNT; i++) {
-            dominoes.add(pool.add(BodyDefinition.dynamic(Polygon.box(WIDTH, 1)).at(i, 0.5)));
-        }
-        dominoes.get(0).applyImpulse(IMPULSE, 0, 0, 1);
-        pool.changed();
+    private static void fallInARow(Trial trial) {
+        WatchedPool pool = trial.ground(0.5, 0);
+        List<RigidBody> dominoes = struck(pool, COUNT);
         pool.run(HORIZON);
-        double fastest = 0;
         for (RigidBody domino : dominoes) {
             trial.require("every domino falls", domino.angle() < -Math.PI / 4);
-            fastest = Math.max(fastest, Math.hypot(domino.velocityX(), domino.velocityY()));
         }
-        trial.measure("fastest in the end", fastest, "m/s", 1e-3);
+        trial.measure("fastest in the end", pool.fastest(), "m/s", 1e-3);
     }
 
     /** Turns about its lower right edge, which is at rest: v = ω × r. */
     private static boolean falls(Trial trial, double spin) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(0.9, 0));
+        WatchedPool pool = trial.ground(0.9, 0);
         RigidBody domino =
                 pool.add(
-                        BodyDefinition.dynamic(Polygon.box(WIDTH, 1))
+                        Solid.box(WIDTH, 1, 0.9, 0)
                                 .at(0, 0.5)
                                 .velocity(spin / 2, spin * WIDTH / 2)
-                                .spin(-spin)
-                                .material(Surroundings.matter(0.9, 0)));
+                                .spin(-spin));
         pool.run(4);
         return domino.angle() < -Math.PI / 4;
+    }
+
+    /** A row of so many, the first of which is struck. */
+    private static List<RigidBody> struck(WatchedPool pool, int count) {
+        List<RigidBody> dominoes =
+                IntStream.range(0, count)
+                        .mapToObj(i -> pool.add(Solid.box(WIDTH, 1).at(i, 0.5)))
+                        .toList();
+        dominoes.get(0).applyImpulse(IMPULSE, 0, 0, 1);
+        pool.changed();
+        return dominoes;
+    }
+
+    /**
+     * A longer row. Truth: what a domino hands on to the next depends only on what it was handed,
+     * so the wave forgets how it began and goes on at a speed of its own (W. J. Stronge, The domino
+     * effect, 1987): beyond the first few, every domino falls the same time after the one before
+     * it.
+     */
+    static void wave(Trial trial) {
+        WatchedPool pool = trial.ground(0.5, 0);
+        double[] times = times(pool, struck(pool, WAVE));
+        double mean = (times[LAST_STEADY] - times[FIRST_STEADY]) / (LAST_STEADY - FIRST_STEADY);
+        for (int i = FIRST_STEADY; i < LAST_STEADY; i++) {
+            double off = Math.abs((times[i + 1] - times[i]) / mean - 1);
+            trial.measure("interval", off, "of the mean", 0.02, 0.05);
+        }
+        trial.report("speed of the wave", 1 / mean, "m/s");
+    }
+
+    /** When each domino's centre passes over its edge, interpolated between two steps. */
+    private static double[] times(WatchedPool pool, List<RigidBody> dominoes) {
+        double edge = -Math.atan(WIDTH);
+        double[] times = new double[WAVE];
+        double[] before = new double[WAVE];
+        while (pool.time() < WAVE_HORIZON) {
+            pool.step();
+            for (int i = 0; i < WAVE; i++) {
+                double angle = dominoes.get(i).angle();
+                if (times[i] == 0 && angle < edge) {
+                    double share = (edge - before[i]) / (angle - before[i]);
+                    times[i] = pool.time() - (1 - share) * Trial.DT;
+                }
+                before[i] = angle;
+            }
+        }
+        return times;
     }
 }

@@ -10,11 +10,11 @@ import rigibo.backend.WeldJoint;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Thrust;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.JointLimits;
 import rigibo.backend.setup.JointSettings;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.SplittableRandom;
 
@@ -32,25 +32,8 @@ final class DrivenJoints {
 
     private DrivenJoints() {}
 
-    static HardCase motor() {
-        String title = "a motor drives up to its speed, and its work is the energy gained";
-        return new JointCase("J9", title, DrivenJoints::motors);
-    }
-
-    static HardCase limit() {
-        String title = "what strikes its limit stops there, or rebounds with e² of its energy";
-        return new JointCase("J10", title, DrivenJoints::limits);
-    }
-
-    static HardCase breaking() {
-        String title = "a joint breaks at its load";
-        return new JointCase("J14", title, DrivenJoints::breaks);
-    }
-
-    private static void motors(Trial trial) {
-        int count = trial.sampling().count(4, 30);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+    static void motors(Trial trial) {
+        for (SplittableRandom random : trial.sampling().draws(4, 30)) {
             double size = 0.2 + random.nextDouble();
             // Whole steps, so that what the motor does within one is its most or its least.
             double time = (20 + random.nextInt(60)) * Trial.DT;
@@ -63,9 +46,9 @@ final class DrivenJoints {
     }
 
     private static void turn(Trial trial, double size, double most, double time) {
-        WatchedPool pool = JointCase.space(trial).withEnergyOfItsOwn();
-        RigidBody hook = JointCase.hook(pool, 0, 0);
-        RigidBody wheel = pool.add(BodyDefinition.dynamic(Polygon.box(size, 2 * size)));
+        WatchedPool pool = trial.jointedSpace().withEnergyOfItsOwn();
+        RigidBody hook = pool.hook(0, 0);
+        RigidBody wheel = pool.add(Solid.box(size, 2 * size));
         double speed = most * time / wheel.inertia();
         Joint hinge = pool.join(RevoluteJoint.at(hook, wheel, 0, 0).motor(speed, most));
         double work = 0;
@@ -83,9 +66,9 @@ final class DrivenJoints {
     }
 
     private static void lift(Trial trial, double size, double weights, double time) {
-        WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
-        RigidBody hook = JointCase.hook(pool, 0, 0);
-        RigidBody cabin = pool.add(BodyDefinition.dynamic(Polygon.box(size, size)));
+        WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
+        RigidBody hook = pool.hook(0, 0);
+        RigidBody cabin = pool.add(Solid.box(size, size));
         double speed = (weights - 1) * Trial.GRAVITY * time;
         double most = weights * cabin.mass() * Trial.GRAVITY;
         JointDefinition slide = PrismaticJoint.along(hook, cabin, 0, 0, Math.PI / 2);
@@ -104,7 +87,7 @@ final class DrivenJoints {
         trial.measure("work", off, "of energy", EXACTLY);
     }
 
-    private static void limits(Trial trial) {
+    static void limits(Trial trial) {
         int count = trial.sampling().count(4, 30);
         for (int i = 0; i < count; i++) {
             SplittableRandom random = trial.sampling().random(i);
@@ -123,9 +106,9 @@ final class DrivenJoints {
 
     private static void strike(
             Trial trial, boolean isHinge, double speed, double room, double elasticity) {
-        WatchedPool pool = JointCase.space(trial);
-        RigidBody hook = JointCase.hook(pool, 0, 0);
-        BodyDefinition bar = BodyDefinition.dynamic(Polygon.box(1, 0.2)).at(0.5, 0);
+        WatchedPool pool = trial.jointedSpace();
+        RigidBody hook = pool.hook(0, 0);
+        BodyDefinition bar = Solid.box(1, 0.2).at(0.5, 0);
         RigidBody body =
                 pool.add(isHinge ? bar.spin(speed).velocity(0, speed / 2) : bar.velocity(speed, 0));
         JointDefinition joint =
@@ -152,9 +135,9 @@ final class DrivenJoints {
 
     /** Until it strikes it swings, with the energy that a swing may be off by. */
     private static void fall(Trial trial, double room) {
-        WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
-        RigidBody hook = JointCase.hook(pool, 0, 0);
-        RigidBody bar = pool.add(BodyDefinition.dynamic(Polygon.box(1, 0.1)).at(0.5, 0));
+        WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
+        RigidBody hook = pool.hook(0, 0);
+        RigidBody bar = pool.add(Solid.box(1, 0.1).at(0.5, 0));
         Joint hinge = pool.join(RevoluteJoint.at(hook, bar, 0, 0).limits(-room, 9));
         while (pool.time() < 4) {
             pool.step();
@@ -165,10 +148,8 @@ final class DrivenJoints {
         trial.measure("place at rest", off, "rad", AT_LIMIT);
     }
 
-    private static void breaks(Trial trial) {
-        int count = trial.sampling().count(3, 20);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+    static void breaks(Trial trial) {
+        for (SplittableRandom random : trial.sampling().draws(3, 20)) {
             double force = Math.pow(10, 4 * random.nextDouble() - 1);
             double mass = force / Trial.GRAVITY * 0.5 * random.nextDouble();
             for (int kind = 0; kind < 3; kind++) {
@@ -181,8 +162,8 @@ final class DrivenJoints {
 
     /** A bob that hangs on a rod, a hinge or a weld. */
     private static Joint hang(WatchedPool pool, int kind, double mass, double force) {
-        RigidBody hook = JointCase.hook(pool, 0, 0);
-        RigidBody bob = pool.add(BodyDefinition.dynamic(new Circle(0.1)).at(0, -1).mass(mass));
+        RigidBody hook = pool.hook(0, 0);
+        RigidBody bob = pool.add(Solid.disc(0.1).at(0, -1).mass(mass));
         JointDefinition joint =
                 switch (kind) {
                     case 0 -> DistanceJoint.rod(hook, 0, 0, bob, 0, -1);
@@ -195,7 +176,7 @@ final class DrivenJoints {
     private static void pull(Trial trial, int kind, double mass, double force) {
         WatchedPool pool =
                 trial.pool(
-                        Surroundings.space()
+                        Earth.space()
                                 .with(new Joints())
                                 .with(new Thrust())
                                 .with(new Gravity(0, -Trial.GRAVITY)));
@@ -215,7 +196,7 @@ final class DrivenJoints {
     private static void strike(Trial trial, int kind, double mass, double force) {
         double margin = BREAK.of(trial.preset());
         for (int side = -1; side <= 1; side += 2) {
-            WatchedPool pool = JointCase.earth(trial);
+            WatchedPool pool = trial.jointedEarth();
             Joint joint = hang(pool, kind, mass, force);
             pool.step();
             double impulse = ((1 + side * margin) * force - mass * Trial.GRAVITY) * Trial.DT;

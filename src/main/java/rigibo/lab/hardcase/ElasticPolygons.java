@@ -2,9 +2,9 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.lab.truth.Room;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -13,7 +13,7 @@ import java.util.SplittableRandom;
  * Smooth polygons, e = 1, in a closed room without weight. Truth: no impact takes energy, however
  * fast they are and however often they meet in a step; and nobody leaves.
  */
-final class ElasticPolygons implements HardCase {
+record ElasticPolygons(List<Double> few, List<Double> all) implements Scenes {
 
     private static final double HORIZON = 5;
     private static final Limits MOST_ENERGY = new Limits(1e-3, 1e-3, 1e-9, 1e-9);
@@ -21,41 +21,13 @@ final class ElasticPolygons implements HardCase {
     /** The walls of a room whose disc is left away. */
     private static final Room ROOM = new Room(0, 0);
 
-    private final String row;
-    private final List<Double> few;
-    private final List<Double> all;
-
-    private ElasticPolygons(String row, List<Double> few, List<Double> all) {
-        this.row = row;
-        this.few = few;
-        this.all = all;
-    }
-
     /** A pair meets once or twice in a step. */
-    static ElasticPolygons slow() {
-        return new ElasticPolygons("M11/slow", List.of(35.0), List.of(30.0, 50.0, 80.0));
-    }
+    static final ElasticPolygons SLOW =
+            new ElasticPolygons(List.of(35.0), List.of(30.0, 50.0, 80.0));
 
     /** A pair may meet more often in a step than the cap allows. */
-    static ElasticPolygons fast() {
-        return new ElasticPolygons(
-                "M11/fast", List.of(330.0, 900.0), List.of(200.0, 330.0, 600.0, 1000.0));
-    }
-
-    @Override
-    public String row() {
-        return row;
-    }
-
-    @Override
-    public String title() {
-        return "elastic polygons keep their energy at any speed";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
+    static final ElasticPolygons FAST =
+            new ElasticPolygons(List.of(330.0, 900.0), List.of(200.0, 330.0, 600.0, 1000.0));
 
     @Override
     public void run(Trial trial) {
@@ -69,7 +41,7 @@ final class ElasticPolygons implements HardCase {
     }
 
     private static void fly(Trial trial, double speed, SplittableRandom random) {
-        WatchedPool pool = trial.pool(Surroundings.space()).withOverlapOfItsOwn();
+        WatchedPool pool = trial.space().withOverlapOfItsOwn();
         ROOM.walls().forEach(pool::add);
         int count = 1 + random.nextInt(4);
         // One alone may be so large that it meets the walls many times in a step.
@@ -78,12 +50,11 @@ final class ElasticPolygons implements HardCase {
             double way = 2 * Math.PI * random.nextDouble();
             double radius = 0.4 + (largest - 0.4) * random.nextDouble();
             pool.add(
-                    BodyDefinition.dynamic(Polygon.regular(3 + random.nextInt(4), radius))
+                    Solid.of(Polygon.regular(3 + random.nextInt(4), radius), 0, 1)
                             .at(count == 1 ? 5 : 1.5 + 2.2 * i, 4)
                             .angle(2 * Math.PI * random.nextDouble())
                             .velocity(speed * Math.cos(way), speed * Math.sin(way))
-                            .spin(40 * random.nextDouble() - 20)
-                            .material(Surroundings.matter(0, 1)));
+                            .spin(40 * random.nextDouble() - 20));
         }
         double start = pool.pool().kineticEnergy();
         double most = 0;
@@ -93,7 +64,7 @@ final class ElasticPolygons implements HardCase {
         }
         trial.measure("energy", most, "of start", MOST_ENERGY);
         long out = pool.pool().bodies().stream().filter(ElasticPolygons::isOutside).count();
-        trial.measure("out of the room", out, "bodies", Limits.same(0));
+        trial.measure("out of the room", out, "bodies", 0);
     }
 
     private static boolean isOutside(RigidBody body) {

@@ -1,8 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,23 +12,13 @@ import java.util.List;
  * the drop releases, mg·1 mm a body; a minute of steps rounds a potential energy of up to mg·2.5 m
  * by 3,600 · 2.5 m · 1.1e-16 = 1e-12 m of height, 1e-9 of the drop.
  */
-final class ElasticRest implements HardCase {
+final class ElasticRest implements Scenes {
 
     private static final double HORIZON = 60;
     private static final double MILLIMETRE = 1e-3;
 
     /** Of the drop, as derived above. */
     private static final double ROUND_OFF = 1e-9;
-
-    @Override
-    public String row() {
-        return "25";
-    }
-
-    @Override
-    public String title() {
-        return "perfectly elastic bodies at rest do not begin to hop";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -42,15 +31,10 @@ final class ElasticRest implements HardCase {
     }
 
     private static void rest(Trial trial, int count, double drop) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(0.5, 1));
+        WatchedPool pool = trial.ground(0.5, 1);
         List<RigidBody> boxes = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            boxes.add(
-                    pool.add(
-                            BodyDefinition.dynamic(Polygon.box(1, 1))
-                                    .at(0, 0.5 + i + drop)
-                                    .material(Surroundings.matter(0.5, 1))));
+            boxes.add(pool.add(Solid.box(1, 1, 0.5, 1).at(0, 0.5 + i + drop)));
         }
         double released = count * Trial.GRAVITY * MILLIMETRE;
         double least = energy(pool);
@@ -67,6 +51,6 @@ final class ElasticRest implements HardCase {
     }
 
     private static double energy(WatchedPool pool) {
-        return pool.pool().kineticEnergy() + pool.pool().potentialEnergy();
+        return pool.energy();
     }
 }

@@ -2,8 +2,8 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Sleep;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,20 +13,10 @@ import java.util.List;
  * 1 cm a storey, settles the same at 0, 1e7 and 1e9 m, but for the distance of neighbouring doubles
  * there (1.9e-9 and 1.2e-7 m), and falls asleep in the same step.
  */
-final class FarAway implements HardCase {
+final class FarAway implements Scenes {
 
     private static final int STEPS = 300;
     private static final int[] STOREYS = {5, 3, 1};
-
-    @Override
-    public String row() {
-        return "58";
-    }
-
-    @Override
-    public String title() {
-        return "far from the origin a pyramid settles the same";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -53,14 +43,14 @@ final class FarAway implements HardCase {
         int asleepAt = -1;
 
         Settling(Trial trial, double far) {
-            WatchedPool pool = trial.pool(Surroundings.earth().with(new Sleep()));
-            pool.add(BodyDefinition.fixed(Polygon.box(2e6, 2)).at(far, -1));
+            WatchedPool pool = trial.pool(Earth.effects().with(new Sleep()));
+            pool.add(Solid.fixed(2e6, 2).at(far, -1));
             List<RigidBody> boxes = new ArrayList<>();
             for (int storey = 0; storey < STOREYS.length; storey++) {
                 for (int i = 0; i < STOREYS[storey]; i++) {
                     double x = far + 1.25 * (i - (STOREYS[storey] - 1) / 2.0);
                     double y = storey + 0.5 + 0.01 * (storey + 1);
-                    boxes.add(pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(x, y)));
+                    boxes.add(pool.add(Solid.box(1, 1).at(x, y)));
                 }
             }
             for (int step = 0; step < STEPS; step++) {

@@ -9,7 +9,7 @@ import rigibo.lab.bench.scene.Scene;
  * 2e-9 and 1.5e-8 m apart there, so a pile at 10⁷ m costs what it costs at the origin, and at 10⁸ m
  * it still comes to rest.
  */
-final class FarPiles implements HardCase {
+final class FarPiles implements Scenes {
 
     private static final double FAR = 1e7;
     private static final double FARTHEST = 1e8;
@@ -18,27 +18,6 @@ final class FarPiles implements HardCase {
     private static final Limits MOST_WORK = Limits.same(1.5);
     private static final Limits AT_REST = Limits.same(1e-3);
     private static final Limits AWAKE = Limits.same(0);
-
-    @Override
-    public String row() {
-        return "M14";
-    }
-
-    @Override
-    public String title() {
-        return "far away a pile costs the same and finds its rest";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
-    public String finding() {
-        return "Far away places are coarser, so that a pyramid settles in another way and may take"
-                + " more work until it rests; why twice as much is not known.";
-    }
 
     @Override
     public void run(Trial trial) {

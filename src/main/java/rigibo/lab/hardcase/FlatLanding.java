@@ -1,30 +1,19 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Bounces;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: a box that lands flat with e = 1 meets the floor at both corners at once; by symmetry it
  * does not turn, and it rebounds to its height, also on a pedestal narrower than itself. One
  * impulse per corner after the other would overshoot.
  */
-final class FlatLanding implements HardCase {
+final class FlatLanding implements Scenes {
 
     private static final double HEIGHT = 2;
     private static final int PHASES = 5;
     private static final int APEXES = 10;
-
-    @Override
-    public String row() {
-        return "15";
-    }
-
-    @Override
-    public String title() {
-        return "a box that lands flat rebounds flat";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -38,17 +27,10 @@ final class FlatLanding implements HardCase {
     }
 
     private static void drop(Trial trial, double width, double fall) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(
-                BodyDefinition.fixed(Polygon.box(width, 1))
-                        .at(0, -0.5)
-                        .material(Surroundings.matter(0.5, 1)));
+        WatchedPool pool = trial.earth();
+        pool.add(Solid.fixed(width, 1, 0.5, 1).at(0, -0.5));
         Bounces truth = new Bounces(Bounces.heightOfFall(fall), 1);
-        RigidBody box =
-                pool.add(
-                        BodyDefinition.dynamic(Polygon.box(1, 1))
-                                .at(0, 0.5 + Bounces.heightOfFall(fall))
-                                .material(Surroundings.matter(0.5, 1)));
+        RigidBody box = pool.add(Solid.box(1, 1, 0.5, 1).at(0, 0.5 + Bounces.heightOfFall(fall)));
         double leeway = trial.preset() == Preset.EXACT ? 1e-5 : 1e-2;
         while (pool.time() < truth.impactTime(APEXES + 1) - 2 * leeway - Trial.DT) {
             pool.step();

@@ -4,7 +4,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -16,7 +16,9 @@ import java.util.List;
  * motion q that both plates allow. With B = cos δ − (h/2w)·sin δ, A = sin²δ·(¼ + (w² + h²)/12w²)
  * that loses A/(A + B²), once for each corner; for small δ both together lose δ²(2/3 + h²/6w²).
  */
-final class FlatPlateBowl implements HardCase {
+enum FlatPlateBowl implements Scenes {
+    DISC,
+    BOX;
 
     private static final List<Integer> FEW = List.of(12, 90, 1000);
     private static final List<Integer> ALL = List.of(12, 17, 33, 60, 90, 180, 333, 600, 1000);
@@ -30,41 +32,6 @@ final class FlatPlateBowl implements HardCase {
     private static final Limits BY_LOSS = Limits.of(0.03, 0.005);
 
     private static final Limits BY_START = Limits.of(1e-3, 1e-5);
-
-    private enum Slider {
-        DISC,
-        BOX
-    }
-
-    private final Slider slider;
-
-    private FlatPlateBowl(Slider slider) {
-        this.slider = slider;
-    }
-
-    static FlatPlateBowl ofDisc() {
-        return new FlatPlateBowl(Slider.DISC);
-    }
-
-    static FlatPlateBowl ofBox() {
-        return new FlatPlateBowl(Slider.BOX);
-    }
-
-    @Override
-    public String row() {
-        return slider == Slider.DISC ? "M4/disc" : "M4/box";
-    }
-
-    @Override
-    public String title() {
-        String name = slider == Slider.DISC ? "disc" : "box";
-        return "a " + name + " in a bowl of plates loses what the kinks take, and gains nothing";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -80,7 +47,7 @@ final class FlatPlateBowl implements HardCase {
     /** Measures the swings in one bowl. */
     void swing(Trial trial, PlateBowl bowl) {
         int plate = bowl.plateAt(Math.toRadians(-50));
-        if (slider == Slider.DISC) {
+        if (this == DISC) {
             double radius = 0.05 * bowl.radius();
             double loss = Math.pow(Math.sin(bowl.kink()), 2);
             double[] start = bowl.on(plate, 0, radius);
@@ -124,14 +91,10 @@ final class FlatPlateBowl implements HardCase {
             int plate,
             double[] start,
             KinkedSlide truth) {
-        WatchedPool pool = trial.pool(Surroundings.earth()).withOverlapOfItsOwn();
+        WatchedPool pool = trial.earth().withOverlapOfItsOwn();
         bowl.bodies().forEach(pool::add);
         RigidBody body =
-                pool.add(
-                        BodyDefinition.dynamic(shape)
-                                .at(start[0], start[1])
-                                .angle(bowl.slope(plate))
-                                .material(Surroundings.matter(0, 0)));
+                pool.add(Solid.of(shape, 0, 0).at(start[0], start[1]).angle(bowl.slope(plate)));
         double bottom = -bowl.radius();
         double first = start[1] - bottom;
         List<Double> swings = truth.swings(bottom + LEAST_ENERGY * first, MOST_SWINGS);
@@ -143,9 +106,9 @@ final class FlatPlateBowl implements HardCase {
             Preset preset = trial.preset();
             double allowed = BY_LOSS.of(preset) * lost + BY_START.of(preset) * first;
             trial.measure("energy off", off / first, "of start", Limits.NONE);
-            trial.measure("energy off, by what may be", off / allowed, "times", Limits.same(1));
+            trial.measure("energy off, by what may be", off / allowed, "times", 1);
         }
-        trial.measure("swings missed", isTurning(pool) ? 0 : 1, "swings", Limits.same(0));
+        trial.measure("swings missed", isTurning(pool) ? 0 : 1, "swings", 0);
     }
 
     private static boolean isTurning(WatchedPool pool) {

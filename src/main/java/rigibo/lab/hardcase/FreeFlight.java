@@ -4,27 +4,16 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Rotation;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: without contacts x = x0 + vt + gt²/2 and θ = θ0 + ωt, at any dt. Errors are shares of the
  * way |v|t + gt²/2 and of the angle turned. (Symplectic Euler would err by g·dt·t/2.)
  */
-final class FreeFlight implements HardCase {
+final class FreeFlight implements Scenes {
 
     private static final double HORIZON = 2;
     private static final int[] STEPS_PER_SECOND = {2, 30, 60, 240};
-
-    @Override
-    public String row() {
-        return "1";
-    }
-
-    @Override
-    public String title() {
-        return "a thrown body follows its parabola";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -39,12 +28,7 @@ final class FreeFlight implements HardCase {
     private static void fly(Trial trial, double vx, double vy, double spin, int rate) {
         Effects effects = Effects.of(new Gravity(0, -Trial.GRAVITY), new Rotation());
         WatchedPool pool = trial.pool(effects);
-        RigidBody ball =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(0.5))
-                                .at(3, 50)
-                                .velocity(vx, vy)
-                                .spin(spin));
+        RigidBody ball = pool.add(Solid.disc(0.5).at(3, 50).velocity(vx, vy).spin(spin));
         for (int i = 1; i <= HORIZON * rate; i++) {
             pool.step(1.0 / rate);
             double t = (double) i / rate;

@@ -1,9 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * A smooth elastic disc of ½ m passes the corner of a post at 100 m/s, its path 0.1 mm too high or
@@ -13,27 +12,11 @@ import rigibo.backend.setup.BodyDefinition;
  * GAME, where δ may be 0.1 mm, the angle is known to no better than about half of itself, which is
  * 0.02 of v.
  */
-final class Grazing implements HardCase {
+final class Grazing implements Scenes {
 
     private static final double RADIUS = 0.5;
     private static final double SPEED = 100;
     private static final double CLEARANCE = 1e-4;
-
-    @Override
-    public String row() {
-        return "46";
-    }
-
-    @Override
-    public String title() {
-        return "a near miss is a miss and a graze is a graze";
-    }
-
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -68,13 +51,13 @@ final class Grazing implements HardCase {
     }
 
     private static RigidBody passCorner(Trial trial, double clearance, double phase) {
-        WatchedPool pool = trial.pool(Surroundings.space());
+        WatchedPool pool = trial.space();
         pool.add(post().at(0.5, -2));
         return fly(pool, RADIUS + clearance, phase);
     }
 
     private static RigidBody passGap(Trial trial, double phase) {
-        WatchedPool pool = trial.pool(Surroundings.space());
+        WatchedPool pool = trial.space();
         double half = RADIUS + 1e-3;
         pool.add(post().at(0.5, -2 - half));
         pool.add(post().at(0.5, 2 + half));
@@ -82,17 +65,12 @@ final class Grazing implements HardCase {
     }
 
     private static BodyDefinition post() {
-        return BodyDefinition.fixed(Polygon.box(1, 4)).material(Surroundings.matter(0, 1));
+        return Solid.fixed(1, 4, 0, 1);
     }
 
     private static RigidBody fly(WatchedPool pool, double y, double phase) {
         double start = -SPEED * (2 + phase) * Trial.DT;
-        RigidBody disc =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
-                                .at(start, y)
-                                .velocity(SPEED, 0)
-                                .material(Surroundings.matter(0, 1)));
+        RigidBody disc = pool.add(Solid.disc(RADIUS, 0, 1).at(start, y).velocity(SPEED, 0));
         pool.run(6 * Trial.DT);
         return disc;
     }

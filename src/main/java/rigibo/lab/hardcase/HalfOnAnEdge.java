@@ -1,28 +1,17 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * A box lands flat, without rebound, partly on a platform. Truth: with its centre of mass above the
  * platform the support reaches to both sides of the weight, so it stays as it landed; beyond the
  * edge the weight turns it about the edge and it falls.
  */
-final class HalfOnAnEdge implements HardCase {
+final class HalfOnAnEdge implements Scenes {
 
     private static final double DROP = 0.5;
     private static final double HORIZON = 5;
-
-    @Override
-    public String row() {
-        return "origin/edge";
-    }
-
-    @Override
-    public String title() {
-        return "a box more than half on a surface stays, less than half tips off";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -37,10 +26,10 @@ final class HalfOnAnEdge implements HardCase {
 
     private static void land(Trial trial, int percent) {
         trial.variant(percent + " % on the platform");
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(BodyDefinition.fixed(Polygon.box(10, 1)).at(-5, -0.5));
+        WatchedPool pool = trial.earth();
+        pool.add(Solid.fixed(10, 1).at(-5, -0.5));
         double x = 0.5 - percent / 100.0;
-        RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(x, 0.5 + DROP));
+        RigidBody box = pool.add(Solid.box(1, 1).at(x, 0.5 + DROP));
         pool.run(HORIZON);
         if (percent > 50) {
             double moved = Math.hypot(box.x() - x, box.y() - 0.5);

@@ -4,9 +4,7 @@ import rigibo.backend.Joint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -29,37 +27,20 @@ final class HangingChains {
 
     private HangingChains() {}
 
-    static HardCase catenary() {
-        String title = "a chain that is laid in its catenary stays there";
-        return new JointCase("J4", title, HangingChains::catenaries);
-    }
-
-    static HardCase heavyBob() {
-        String title = "light links carry ten thousand times their mass";
-        return new JointCase("J5", title, HangingChains::heavyBobs);
-    }
-
-    static HardCase bridge() {
-        String title = "a bridge stands under its load, and a cantilever at its wall";
-        return new JointCase("J12", title, HangingChains::bridges);
-    }
-
-    private static void catenaries(Trial trial) {
-        int count = trial.sampling().count(3, 20);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+    static void catenaries(Trial trial) {
+        for (SplittableRandom random : trial.sampling().draws(3, 20)) {
             int links = 50;
             double length = 0.1 + 0.4 * random.nextDouble();
             double mass = mass(length, length / 4);
             double pull = links * mass * Trial.GRAVITY * (0.3 + 2 * random.nextDouble());
             trial.variant(links + " links of " + length + " m, pulled by " + pull + " N");
-            WatchedPool pool = JointCase.earth(trial);
+            WatchedPool pool = trial.jointedEarth();
             Laid chain = new Laid(pool, length, length / 4, pull);
             for (int k = 0; k < links; k++) {
                 chain.add(links * mass * Trial.GRAVITY / 2, mass * Trial.GRAVITY, k);
             }
             chain.end();
-            chain.stays(trial, 10, JointCase.FORCE);
+            chain.stays(trial, 10, JointLimits.FORCE);
         }
     }
 
@@ -105,11 +86,10 @@ final class HangingChains {
             double dy = length * Math.sin(angle);
             RigidBody link =
                     pool.add(
-                            BodyDefinition.dynamic(Polygon.box(length, height))
+                            Solid.box(length, height, 1, 0)
                                     .at(x + dx / 2, y + dy / 2)
-                                    .angle(angle)
-                                    .material(Surroundings.matter(1, 0)));
-            RigidBody held = k == 0 ? JointCase.hook(pool, x, y) : links.get(k - 1);
+                                    .angle(angle));
+            RigidBody held = k == 0 ? pool.hook(x, y) : links.get(k - 1);
             Joint joint = pool.join(RevoluteJoint.at(held, link, x, y));
             left = k == 0 ? joint : left;
             links.add(link);
@@ -119,7 +99,7 @@ final class HangingChains {
 
         void end() {
             RigidBody last = links.get(links.size() - 1);
-            right = pool.join(RevoluteJoint.at(last, JointCase.hook(pool, x, y), x, y));
+            right = pool.join(RevoluteJoint.at(last, pool.hook(x, y), x, y));
         }
 
         /** Puts a box on a link so that its weight goes through the link's centre. */
@@ -128,22 +108,21 @@ final class HangingChains {
             double up = (height + side) / 2;
             double along = Math.tan(link.angle()) * up;
             pool.add(
-                    BodyDefinition.dynamic(Polygon.box(side, side))
+                    Solid.box(side, side, 1, 0)
                             .at(link.worldX(along, up), link.worldY(along, up))
                             .angle(link.angle())
-                            .mass(mass)
-                            .material(Surroundings.matter(1, 0)));
+                            .mass(mass));
         }
 
         void stays(Trial trial, double seconds, Limits forces) {
             double[] places = links.stream().mapToDouble(RigidBody::y).toArray();
             while (pool.time() < seconds) {
                 pool.step();
-                JointCase.measureErrors(trial, pool);
+                pool.measureJoints();
             }
             for (int k = 0; k < places.length; k++) {
                 double off = Math.abs(links.get(k).y() - places[k]) / length;
-                trial.measure("moved", off, "of a link", JointCase.PLACE);
+                trial.measure("moved", off, "of a link", JointLimits.PLACE);
             }
             double leftTruth = Math.hypot(pull, first);
             double rightTruth = Math.hypot(pull, carried - first);
@@ -154,7 +133,7 @@ final class HangingChains {
         }
     }
 
-    private static void heavyBobs(Trial trial) {
+    static void heavyBobs(Trial trial) {
         int count = trial.sampling().count(3, 15);
         for (int i = 0; i < count; i++) {
             SplittableRandom random = trial.sampling().random(i);
@@ -171,15 +150,15 @@ final class HangingChains {
     /** Thirty links in a straight line, with a bob of so many times a link's mass at the end. */
     private static void hang(Trial trial, double length, double ratio, double angle) {
         int links = 30;
-        WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
-        RigidBody hook = JointCase.hook(pool, 0, 0);
+        WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
+        RigidBody hook = pool.hook(0, 0);
         RigidBody before = hook;
         double dx = length * Math.sin(angle);
         double dy = -length * Math.cos(angle);
         for (int k = 0; k < links; k++) {
             RigidBody link =
                     pool.add(
-                            BodyDefinition.dynamic(Polygon.box(length / 4, length))
+                            Solid.box(length / 4, length)
                                     .at((k + 0.5) * dx, (k + 0.5) * dy)
                                     .angle(angle)
                                     .group(1));
@@ -191,7 +170,7 @@ final class HangingChains {
         double swing = mass * Trial.GRAVITY * height;
         RigidBody bob =
                 pool.add(
-                        BodyDefinition.dynamic(new Circle(length / 2))
+                        Solid.disc(length / 2)
                                 .at(links * dx, links * dy)
                                 .mass(ratio * mass)
                                 .group(1));
@@ -205,7 +184,7 @@ final class HangingChains {
             }
             double stretch = Math.hypot(bob.x(), bob.y()) / (links * length) - 1;
             trial.measure("stretch", Math.max(0, stretch), "of length", STRETCH);
-            JointCase.measureErrors(trial, pool);
+            pool.measureJoints();
         }
         if (angle == 0) {
             double truth = (ratio + links) * mass * Trial.GRAVITY;
@@ -214,10 +193,8 @@ final class HangingChains {
         }
     }
 
-    private static void bridges(Trial trial) {
-        int count = trial.sampling().count(2, 15);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+    static void bridges(Trial trial) {
+        for (SplittableRandom random : trial.sampling().draws(2, 15)) {
             double length = 0.4 + 0.6 * random.nextDouble();
             int at = 10 + random.nextInt(20);
             double heavier = 1 + 10 * random.nextDouble();
@@ -235,7 +212,7 @@ final class HangingChains {
         double mass = mass(length, length / 5);
         double weight = mass * Trial.GRAVITY;
         double all = (planks + heavier) * weight;
-        WatchedPool pool = JointCase.earth(trial);
+        WatchedPool pool = trial.jointedEarth();
         Laid bridge = new Laid(pool, length, length / 5, 1.5 * all);
         for (int k = 0; k < planks; k++) {
             bridge.add(all / 2, k == at ? (1 + heavier) * weight : weight, k);
@@ -248,7 +225,7 @@ final class HangingChains {
     /** Planks without slack; the guard holds the energy. */
     private static void roll(Trial trial, double length, double radius) {
         int planks = 40;
-        WatchedPool pool = JointCase.earth(trial);
+        WatchedPool pool = trial.jointedEarth();
         double weight = mass(length, length / 5) * Trial.GRAVITY;
         Laid bridge = new Laid(pool, length, length / 5, planks * weight * 2);
         for (int k = 0; k < planks; k++) {
@@ -257,25 +234,19 @@ final class HangingChains {
         bridge.end();
         RigidBody first = bridge.links.get(2);
         double up = length / 10 + radius;
-        pool.add(
-                BodyDefinition.dynamic(new Circle(radius))
-                        .at(first.worldX(0, up), first.worldY(0, up))
-                        .material(Surroundings.matter(1, 0)));
+        pool.add(Solid.disc(radius, 1, 0).at(first.worldX(0, up), first.worldY(0, up)));
         while (pool.time() < 8) {
             pool.step();
-            JointCase.measureErrors(trial, pool);
+            pool.measureJoints();
         }
     }
 
     private static void reachOut(Trial trial, double length, double height) {
         int pieces = 20;
-        WatchedPool pool = JointCase.earth(trial);
-        RigidBody before = JointCase.hook(pool, 0, 0);
+        WatchedPool pool = trial.jointedEarth();
+        RigidBody before = pool.hook(0, 0);
         for (int k = 0; k < pieces; k++) {
-            RigidBody piece =
-                    pool.add(
-                            BodyDefinition.dynamic(Polygon.box(length, height))
-                                    .at((k + 0.5) * length, 0));
+            RigidBody piece = pool.add(Solid.box(length, height).at((k + 0.5) * length, 0));
             pool.join(WeldJoint.at(before, piece, k * length, 0));
             before = piece;
         }
@@ -284,6 +255,6 @@ final class HangingChains {
         Joint wall = pool.pool().joints().get(0);
         double off = Math.abs(wall.reactionTorque() / (weight * pieces * length / 2) - 1);
         trial.measure("moment at the wall", off, "of truth", MOMENT);
-        JointCase.measureErrors(trial, pool);
+        pool.measureJoints();
     }
 }

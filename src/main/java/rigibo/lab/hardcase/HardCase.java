@@ -7,55 +7,61 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 
-/** A scene that is hard to simulate and whose truth is known. */
-public interface HardCase {
+/**
+ * A scene that is hard to simulate and whose truth is known.
+ *
+ * @param row the case's number in the catalogue of hard cases
+ * @param title what is true of the scene, as a sentence
+ * @param fastest the fastest preset that the case is counted for
+ * @param limitedFrom the fastest preset that is held to the limit of a game; those below it only
+ *     report the case's own figures, and are held to what is true in every case as well
+ * @param finding why the case does not reach its truth everywhere, as far as it is known, or empty
+ * @param scenes what is simulated
+ */
+public record HardCase(
+        String row,
+        String title,
+        Preset fastest,
+        Preset limitedFrom,
+        String finding,
+        Scenes scenes) {
 
-    /** The case's number in the catalogue of hard cases. */
-    String row();
-
-    /** What is true of the scene, as a sentence. */
-    String title();
-
-    /** The fastest preset that the case is counted for. */
-    default Preset fastest() {
-        return Preset.DRAFT;
+    /** A case that is counted, and held to its limits, at every preset. */
+    static HardCase of(String row, String title, Scenes scenes) {
+        return new HardCase(row, title, Preset.DRAFT, Preset.DRAFT, "", scenes);
     }
 
-    /**
-     * The fastest preset that is held to the limit of a game. Those below it only report the case's
-     * own figures; what is true in every case they are held to as well.
-     */
-    default Preset limitedFrom() {
-        return Preset.DRAFT;
+    HardCase fastest(Preset preset) {
+        return new HardCase(row, title, preset, limitedFrom, finding, scenes);
     }
 
-    /** Why the case does not reach its truth everywhere, as far as it is known; else empty. */
-    default String finding() {
-        return "";
+    HardCase limitedFrom(Preset preset) {
+        return new HardCase(row, title, fastest, preset, finding, scenes);
     }
 
-    /** Simulates every variant of the case and hands each figure to the trial. */
-    void run(Trial trial);
+    HardCase finding(String words) {
+        return new HardCase(row, title, fastest, limitedFrom, words, scenes);
+    }
 
     /** Runs a few variants of the case. */
-    default Result run(Preset preset) {
+    public Result run(Preset preset) {
         return run(preset, Sampling.USUAL);
     }
 
     /** Runs the case twice: the second run, by several workers, must end in the same bits. */
-    default Result run(Preset preset, Sampling sampling) {
+    public Result run(Preset preset, Sampling sampling) {
         Trial first = trial(preset, sampling, UnaryOperator.identity(), 1);
         first.compare(trial(preset, sampling, UnaryOperator.identity(), Trial.SEVERAL));
         return new Result(this, preset, first.measures(), first.work());
     }
 
     /** Runs a few variants of the case once. */
-    default Result runOnce(Preset preset) {
+    public Result runOnce(Preset preset) {
         return runOnce(preset, UnaryOperator.identity());
     }
 
     /** Runs a few variants of the case once, with each body put together of parts. */
-    default Result runInParts(Preset preset) {
+    public Result runInParts(Preset preset) {
         return runOnce(preset, InParts::of);
     }
 
@@ -66,13 +72,13 @@ public interface HardCase {
 
     private Trial trial(
             Preset preset, Sampling sampling, UnaryOperator<BodyDefinition> made, int workers) {
-        Trial trial = new Trial(preset, limitedFrom(), sampling, made, workers);
-        run(trial);
+        Trial trial = new Trial(preset, limitedFrom, sampling, made, workers);
+        scenes.run(trial);
         return trial;
     }
 
     /** What came of a run that broke off. */
-    default Result broken(Preset preset, Throwable cause) {
+    public Result broken(Preset preset, Throwable cause) {
         Measure end = new Measure("runs that broke off", 1, 0, "runs", cause.toString());
         return new Result(this, preset, List.of(end), new Work());
     }
@@ -85,7 +91,7 @@ public interface HardCase {
      * @param measures the case's own first, then the invariants
      * @param work what the first of the two runs cost
      */
-    record Result(HardCase hardCase, Preset preset, List<Measure> measures, Work work) {
+    public record Result(HardCase hardCase, Preset preset, List<Measure> measures, Work work) {
 
         public boolean passes() {
             return measures.stream().allMatch(Measure::passes);

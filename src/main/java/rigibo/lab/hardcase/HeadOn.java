@@ -1,31 +1,21 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: momentum is kept and the relative velocity turns into −e of itself, so v1′ = ((m1 −
  * e·m2)v1 + (1 + e)m2·v2)/(m1 + m2) and likewise v2′, at t = gap/(v1 − v2). Where both are
  * afterwards tells the place of the impact.
  */
-final class HeadOn implements HardCase {
+final class HeadOn implements Scenes {
 
     private static final double V1 = 3;
     private static final double V2 = -1;
     private static final double RADIUS = 0.5;
     private static final int PHASES = 5;
     private static final double[] RATIOS = {1, 10, 1e3, 1e6, 0.1, 1e-3, 1e-6};
-
-    @Override
-    public String row() {
-        return "11";
-    }
-
-    @Override
-    public String title() {
-        return "two bodies exchange momentum head on, whatever their masses";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -40,9 +30,8 @@ final class HeadOn implements HardCase {
     }
 
     private static void meet(Trial trial, double ratio, double e, double impact) {
-        WatchedPool pool = trial.pool(Surroundings.space());
-        BodyDefinition disc =
-                BodyDefinition.dynamic(new Circle(RADIUS)).material(Surroundings.matter(0, e));
+        WatchedPool pool = trial.space();
+        BodyDefinition disc = Solid.disc(RADIUS, 0, e);
         double m1 = Math.max(ratio, 1);
         double m2 = Math.max(1 / ratio, 1);
         double x1 = -RADIUS - V1 * impact;

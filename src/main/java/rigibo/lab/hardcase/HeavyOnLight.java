@@ -5,8 +5,8 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.lab.truth.Solid;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -14,20 +14,10 @@ import java.util.List;
  * and nothing was pushed out. Ratios up to 100 are promised from GAME on, 1,000 and the large box
  * from FINE on, 10,000 at EXACT.
  */
-final class HeavyOnLight implements HardCase {
+final class HeavyOnLight implements Scenes {
 
     private static final double HORIZON = 2;
     private static final double LIMIT = 2 * Trial.TOLERATED_OVERLAP;
-
-    @Override
-    public String row() {
-        return "55";
-    }
-
-    @Override
-    public String title() {
-        return "a light body carries a heavy one";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -51,7 +41,7 @@ final class HeavyOnLight implements HardCase {
     }
 
     private static void twoBoxes(Trial trial, double ratio) {
-        WatchedPool pool = ground(trial);
+        WatchedPool pool = trial.ground(0.6, 0);
         RigidBody light = pool.add(box(1).at(0, 0.5));
         pool.add(box(ratio).at(0, 1.5));
         judge(trial, pool, List.of(light));
@@ -59,50 +49,30 @@ final class HeavyOnLight implements HardCase {
 
     private static void cappedPyramid(Trial trial, double ratio) {
         int base = 5;
-        WatchedPool pool = ground(trial);
-        List<RigidBody> light = new ArrayList<>();
-        for (int storey = 0; storey < base; storey++) {
-            for (int i = 0; i < base - storey; i++) {
-                double x = i - (base - storey - 1) / 2.0;
-                light.add(pool.add(box(1).at(x, storey + 0.5)));
-            }
-        }
+        WatchedPool pool = trial.ground(0.6, 0);
+        List<RigidBody> light = Solid.pyramid(box(1), base, 1, 0).map(pool::add).toList();
         pool.add(box(ratio).at(0, base + 0.5));
         judge(trial, pool, light);
     }
 
     /** The box has 400 times the area of a box below it and falls by 1 cm. */
     private static void large(Trial trial, Shape support, double centre) {
-        WatchedPool pool = ground(trial);
-        BodyDefinition post = BodyDefinition.dynamic(support).material(Surroundings.matter(0.6, 0));
+        WatchedPool pool = trial.ground(0.6, 0);
+        BodyDefinition post = Solid.of(support, 0.6, 0);
         List<RigidBody> light =
                 List.of(pool.add(post.at(-9, centre)), pool.add(post.at(9, centre)));
-        pool.add(
-                BodyDefinition.dynamic(Polygon.box(20, 20))
-                        .at(0, 11.01)
-                        .material(Surroundings.matter(0.6, 0)));
+        pool.add(Solid.box(20, 20, 0.6, 0).at(0, 11.01));
         judge(trial, pool, light);
     }
 
-    private static WatchedPool ground(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(0.6, 0));
-        return pool;
-    }
-
     private static BodyDefinition box(double density) {
-        return BodyDefinition.dynamic(Polygon.box(1, 1)).material(new Material(density, 0.6, 0));
+        return Solid.box(1, 1).material(new Material(density, 0.6, 0));
     }
 
     private static void judge(Trial trial, WatchedPool pool, List<RigidBody> light) {
-        List<double[]> starts = new ArrayList<>();
-        light.forEach(body -> starts.add(new double[] {body.x(), body.y()}));
+        Places starts = new Places(light);
         pool.run(HORIZON);
         trial.measure("overlap at rest", pool.overlapNow(), "width", LIMIT);
-        for (int i = 0; i < light.size(); i++) {
-            double[] start = starts.get(i);
-            double moved = Math.hypot(light.get(i).x() - start[0], light.get(i).y() - start[1]);
-            trial.measure("pushed out", moved, "m", 0.05);
-        }
+        trial.measure("pushed out", starts.farthest(), "m", 0.05);
     }
 }

@@ -3,10 +3,9 @@ package rigibo.lab.hardcase;
 import rigibo.backend.Joint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WheelJoint;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -30,12 +29,7 @@ final class HillCar {
 
     private HillCar() {}
 
-    static HardCase climb() {
-        String title = "a car's wheels carry what statics says, and it climbs if they hold";
-        return new JointCase("J13", title, HillCar::run);
-    }
-
-    private static void run(Trial trial) {
+    static void run(Trial trial) {
         int count = trial.sampling().count(3, 25);
         int wrong = 0;
         for (int i = 0; i < count; i++) {
@@ -68,14 +62,9 @@ final class HillCar {
             double cos = Math.cos(angle);
             double sin = Math.sin(angle);
             RigidBody slope =
-                    pool.add(
-                            BodyDefinition.fixed(Polygon.box(100, 2))
-                                    .at(sin, -cos)
-                                    .angle(angle)
-                                    .material(ground));
-            BodyDefinition wheel = BodyDefinition.dynamic(new Circle(RADIUS)).angle(angle);
-            BodyDefinition body =
-                    BodyDefinition.dynamic(Polygon.box(2.2 * BASE, height)).angle(angle);
+                    pool.add(Solid.fixed(100, 2).at(sin, -cos).angle(angle).material(ground));
+            BodyDefinition wheel = Solid.disc(RADIUS).angle(angle);
+            BodyDefinition body = Solid.box(2.2 * BASE, height).angle(angle);
             double up = RADIUS + height / 2 + 0.1;
             RigidBody chassis = pool.add(at(body, 0, up, cos, sin).mass(CHASSIS).group(1));
             RigidBody back =
@@ -130,24 +119,24 @@ final class HillCar {
     }
 
     private static double shareAtRest(Trial trial, double slope, double height, double hertz) {
-        Car car = Car.on(JointCase.earth(trial), slope, height, hertz, 2);
+        Car car = Car.on(trial.jointedEarth(), slope, height, hertz, 2);
         car.pool().run(6);
         double rear = car.rearLoad(slope);
         double all = car.weight() * Math.cos(slope);
         measure(trial, "load of the rear wheel", car, car.back(), rear);
         measure(trial, "load of the front wheel", car, car.front(), all - rear);
-        JointCase.measureErrors(trial, car.pool());
+        car.pool().measureJoints();
         return rear / all;
     }
 
     private static void measure(Trial trial, String name, Car car, RigidBody wheel, double truth) {
         double load = car.pool().impulseBetween(wheel, car.slope()) / Trial.DT;
-        trial.measure(name, Math.abs(load / truth - 1), "of truth", JointCase.FORCE);
+        trial.measure(name, Math.abs(load / truth - 1), "of truth", JointLimits.FORCE);
     }
 
     private static boolean climbs(
             Trial trial, double slope, double height, double hertz, double mu) {
-        Car car = Car.on(JointCase.earth(trial).withEnergyOfItsOwn(), slope, height, hertz, mu);
+        Car car = Car.on(trial.jointedEarth().withEnergyOfItsOwn(), slope, height, hertz, mu);
         car.pool().run(6);
         double margin = UNDECIDED.of(trial.preset());
         double torque = car.weight() * Math.sin(slope) * RADIUS * (1 + margin / 3);

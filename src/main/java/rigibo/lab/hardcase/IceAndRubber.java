@@ -2,9 +2,9 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Thrust;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
 import rigibo.lab.truth.Slope;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth on a slope of 20°: ice (μ = 0.03) slides with a = g(sin − μ·cos), rubber (μ = 0.9) holds.
@@ -12,23 +12,13 @@ import rigibo.lab.truth.Slope;
  * about its lower edge beyond F·h = mg·w/2, F = mg/6. So 0.1 mg moves it on ice and not on rubber,
  * and on rubber 0.4 mg makes it tumble.
  */
-final class IceAndRubber implements HardCase {
+final class IceAndRubber implements Scenes {
 
     private static final double ICE = 0.03;
     private static final double RUBBER = 0.9;
     private static final double ANGLE = Math.toRadians(20);
     private static final double WIDTH = 0.5;
     private static final double HEIGHT = 1.5;
-
-    @Override
-    public String row() {
-        return "origin/ice-rubber";
-    }
-
-    @Override
-    public String title() {
-        return "ice lets slide, rubber holds, and with enough force it tumbles";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -53,26 +43,16 @@ final class IceAndRubber implements HardCase {
 
     private static double wayDown(Trial trial, double friction, double seconds) {
         Slope slope = new Slope(ANGLE);
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(slope.plank(Surroundings.matter(friction, 0)));
-        BodyDefinition box =
-                BodyDefinition.dynamic(Polygon.box(1, 1))
-                        .material(Surroundings.matter(friction, 0));
-        RigidBody body = pool.add(slope.place(box, 0.5));
-        double startX = body.x();
-        double startY = body.y();
+        WatchedPool pool = trial.earth();
+        Descent box = new Descent(pool, slope, slope.place(Solid.box(1, 1, friction, 0), 0.5));
         pool.run(seconds);
-        return slope.down(body.x() - startX, body.y() - startY);
+        return box.way();
     }
 
     private static RigidBody push(Trial trial, double friction, double weights) {
-        WatchedPool pool = trial.pool(Surroundings.earth().with(new Thrust()));
-        pool.add(Surroundings.floor(friction, 0));
-        RigidBody box =
-                pool.add(
-                        BodyDefinition.dynamic(Polygon.box(WIDTH, HEIGHT))
-                                .at(0, HEIGHT / 2)
-                                .material(Surroundings.matter(friction, 0)));
+        WatchedPool pool = trial.pool(Earth.effects().with(new Thrust()));
+        pool.add(Earth.floor(friction, 0));
+        RigidBody box = pool.add(Solid.box(WIDTH, HEIGHT, friction, 0).at(0, HEIGHT / 2));
         double force = weights * box.mass() * Trial.GRAVITY;
         for (int i = 0; i < 180 && box.angle() > -1; i++) {
             box.applyForce(force, 0, box.x(), box.y() + HEIGHT / 2);

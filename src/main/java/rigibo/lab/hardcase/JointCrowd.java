@@ -3,7 +3,6 @@ package rigibo.lab.hardcase;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.setup.BodyType;
-import rigibo.lab.bench.scene.Assemblies;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.Link;
 
@@ -15,76 +14,13 @@ import java.util.function.IntFunction;
  * time, and no energy comes from nothing. Ragdolls rub in their hinges and on each other, doors are
  * damped: they are at rest within 15 s and then sleep. Nothing damps a net.
  */
-final class JointCrowd implements HardCase {
+record JointCrowd(int few, int all, boolean rests, IntFunction<Scene> scene) implements Scenes {
 
     /** Speed below which a body is at rest, m/s. */
     private static final double REST = 1e-3;
 
     private static final double HORIZON = 15;
     private static final double JOINT_ERROR = 1e-3;
-
-    private final String row;
-    private final String title;
-    private final int few;
-    private final int all;
-    private final boolean rests;
-    private final IntFunction<Scene> scene;
-
-    private JointCrowd(
-            String row, String title, int few, int all, boolean rests, IntFunction<Scene> scene) {
-        this.row = row;
-        this.title = title;
-        this.few = few;
-        this.all = all;
-        this.rests = rests;
-        this.scene = scene;
-    }
-
-    static List<HardCase> each() {
-        return List.of(
-                new JointCrowd(
-                        "J15/ragdolls",
-                        "ragdolls that fall on each other come to rest in one piece",
-                        2,
-                        100,
-                        true,
-                        Assemblies::ragdolls),
-                new JointCrowd(
-                        "J15/grid",
-                        "a net of hinges hangs together",
-                        8,
-                        30,
-                        false,
-                        Assemblies::grid),
-                new JointCrowd(
-                        "J15/doors",
-                        "sprung doors fall shut and rest",
-                        10,
-                        50,
-                        true,
-                        Assemblies::doors));
-    }
-
-    @Override
-    public String row() {
-        return row;
-    }
-
-    @Override
-    public String title() {
-        return title;
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
-    public String finding() {
-        return "Crowds of joints that are beyond the budget of elimination are passed over, and"
-                + " their joints drift.";
-    }
 
     @Override
     public void run(Trial trial) {

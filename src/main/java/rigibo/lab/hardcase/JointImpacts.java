@@ -4,10 +4,9 @@ import rigibo.backend.DistanceJoint;
 import rigibo.backend.Joint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Pendulum;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -25,25 +24,8 @@ final class JointImpacts {
 
     private JointImpacts() {}
 
-    static HardCase cradle() {
-        String title = "in a cradle on rods the last disc rises as high as the first";
-        return new JointCase("J6", title, JointImpacts::cradles);
-    }
-
-    static HardCase rope() {
-        String title = "a rope that goes taut stops its ends along it, and carries a turn";
-        return new JointCase("J11", title, JointImpacts::ropes);
-    }
-
-    static HardCase struck() {
-        String title = "what strikes a jointed body strikes all that is joined";
-        return new JointCase("J17", title, JointImpacts::blows);
-    }
-
-    private static void cradles(Trial trial) {
-        int count = trial.sampling().count(2, 15);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+    static void cradles(Trial trial) {
+        for (SplittableRandom random : trial.sampling().draws(2, 15)) {
             double radius = 0.05 + 0.15 * random.nextDouble();
             double length = 1 + 2 * random.nextDouble();
             double angle = 0.2 + 0.6 * random.nextDouble();
@@ -54,18 +36,14 @@ final class JointImpacts {
 
     private static void swing(Trial trial, double radius, double length, double angle) {
         int count = 5;
-        WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
+        WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
         List<RigidBody> row = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             double from = 2 * radius * i;
             double x = from - (i == 0 ? length * Math.sin(angle) : 0);
             double y = -length * (i == 0 ? Math.cos(angle) : 1);
-            RigidBody disc =
-                    pool.add(
-                            BodyDefinition.dynamic(new Circle(radius))
-                                    .at(x, y)
-                                    .material(Surroundings.matter(0, 1)));
-            pool.join(DistanceJoint.rod(JointCase.hook(pool, from, 0), from, 0, disc, x, y));
+            RigidBody disc = pool.add(Solid.disc(radius, 0, 1).at(x, y));
+            pool.join(DistanceJoint.rod(pool.hook(from, 0), from, 0, disc, x, y));
             row.add(disc);
         }
         double height = length * (1 - Math.cos(angle));
@@ -74,7 +52,7 @@ final class JointImpacts {
         for (int swing = 1; swing <= 20; swing++) {
             while (pool.time() < swing * half - Trial.DT / 2) {
                 pool.step();
-                JointCase.measureErrors(trial, pool);
+                pool.measureJoints();
             }
             RigidBody risen = row.get(swing % 2 == 0 ? 0 : count - 1);
             double rise = rise(risen, length) / height;
@@ -95,10 +73,8 @@ final class JointImpacts {
         return Math.hypot(body.velocityX(), body.velocityY());
     }
 
-    private static void ropes(Trial trial) {
-        int count = trial.sampling().count(3, 20);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+    static void ropes(Trial trial) {
+        for (SplittableRandom random : trial.sampling().draws(3, 20)) {
             double ratio = Math.pow(10, 2 * random.nextDouble() - 1);
             double speed = Math.pow(10, 2 * random.nextDouble() - 1);
             double aside = 0.5 * random.nextDouble();
@@ -116,8 +92,8 @@ final class JointImpacts {
      * m·u/(m + M), across it each as before.
      */
     private static void jerk(Trial trial, double ratio, double speed, double aside) {
-        WatchedPool pool = JointCase.space(trial);
-        BodyDefinition disc = BodyDefinition.dynamic(new Circle(0.1));
+        WatchedPool pool = trial.jointedSpace();
+        BodyDefinition disc = Solid.disc(0.1);
         RigidBody rests = pool.add(disc.mass(ratio));
         RigidBody flies = pool.add(disc.mass(1).at(0.3, aside).velocity(speed, 0));
         pool.join(DistanceJoint.rope(rests, 0, 0, flies, 0.3, aside, 1));
@@ -140,15 +116,10 @@ final class JointImpacts {
 
     /** T = m·(g·cos θ + v²/r), v² = v₀² − 2gr·(1 − cos θ). */
     private static void turn(Trial trial, double length, double faster) {
-        WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
+        WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
         double v = faster * Math.sqrt(5 * Trial.GRAVITY * length);
-        RigidBody bob =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(0.1))
-                                .at(0, -length)
-                                .mass(1)
-                                .velocity(v, 0));
-        RigidBody hook = JointCase.hook(pool, 0, 0);
+        RigidBody bob = pool.add(Solid.disc(0.1).at(0, -length).mass(1).velocity(v, 0));
+        RigidBody hook = pool.hook(0, 0);
         Joint rope = pool.join(DistanceJoint.rope(hook, 0, 0, bob, 0, -length, length));
         while (pool.time() < 4) {
             double x = pull(bob, length, v, true);
@@ -160,7 +131,7 @@ final class JointImpacts {
             double off = Math.hypot(rope.reactionForceX() - x, rope.reactionForceY() - y);
             double most = Trial.GRAVITY + v * v / length;
             trial.measure("tension", off / most, "of its most", TENSION);
-            JointCase.measureErrors(trial, pool);
+            pool.measureJoints();
         }
     }
 
@@ -172,7 +143,7 @@ final class JointImpacts {
         return isX ? speed * cos : speed * Math.sin(angle);
     }
 
-    private static void blows(Trial trial) {
+    static void blows(Trial trial) {
         int count = trial.sampling().count(4, 40);
         for (int i = 0; i < count; i++) {
             SplittableRandom random = trial.sampling().random(i);
@@ -189,9 +160,7 @@ final class JointImpacts {
     }
 
     private static BodyDefinition ball(double mass, double elasticity) {
-        return BodyDefinition.dynamic(new Circle(0.1))
-                .mass(mass)
-                .material(Surroundings.matter(0, elasticity));
+        return Solid.disc(0.1, 0, elasticity).mass(mass);
     }
 
     /**
@@ -201,13 +170,12 @@ final class JointImpacts {
      */
     private static void strikeFree(
             Trial trial, double mass, double speed, double at, double elasticity) {
-        WatchedPool pool = JointCase.space(trial);
+        WatchedPool pool = trial.jointedSpace();
         if (trial.preset() == Preset.DRAFT) {
             // A draft's leapfrog errs by (ωh)² in energy, and these turn by a radian in a substep.
             pool.withEnergyOfItsOwn();
         }
-        BodyDefinition box =
-                BodyDefinition.dynamic(Polygon.box(1, 0.4)).material(Surroundings.matter(0, 0));
+        BodyDefinition box = Solid.box(1, 0.4, 0, 0);
         RigidBody left = pool.add(box);
         RigidBody right = pool.add(box.at(1, 0));
         pool.join(RevoluteJoint.at(left, right, 0.5, 0));
@@ -228,19 +196,15 @@ final class JointImpacts {
         trial.measure("momentum", off, "of all", MOMENTUM);
         off = Math.abs(pool.pool().angularMomentum() - angular) / (mass * speed);
         trial.measure("angular momentum", off, "of m·v", MOMENTUM);
-        JointCase.measureErrors(trial, pool);
+        pool.measureJoints();
     }
 
     /** A ball strikes a hanging bar at a depth d: J = (1 + e)·v/(1/m + d²/I) about the hinge. */
     private static void strikeHung(
             Trial trial, double mass, double speed, double depth, double elasticity) {
-        WatchedPool pool = JointCase.space(trial);
-        RigidBody bar =
-                pool.add(
-                        BodyDefinition.dynamic(Polygon.box(0.2, 1))
-                                .at(0, -0.5)
-                                .material(Surroundings.matter(0, 0)));
-        pool.join(RevoluteJoint.at(JointCase.hook(pool, 0, 0), bar, 0, 0));
+        WatchedPool pool = trial.jointedSpace();
+        RigidBody bar = pool.add(Solid.box(0.2, 1, 0, 0).at(0, -0.5));
+        pool.join(RevoluteJoint.at(pool.hook(0, 0), bar, 0, 0));
         double away = 0.2 + 1.3 * speed * Trial.DT;
         RigidBody ball = pool.add(ball(mass, elasticity).at(-away, -depth).velocity(speed, 0));
         for (int i = 0; i < 2; i++) {
@@ -254,6 +218,6 @@ final class JointImpacts {
         double angular = mass * ball.velocityX() * depth + inertia * bar.angularVelocity();
         off = Math.abs(angular / (mass * speed * depth) - 1);
         trial.measure("angular momentum about the hinge", off, "of all", MOMENTUM);
-        JointCase.measureErrors(trial, pool);
+        pool.measureJoints();
     }
 }

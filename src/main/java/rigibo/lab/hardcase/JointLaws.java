@@ -11,8 +11,9 @@ import rigibo.backend.WeldJoint;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -36,11 +37,6 @@ final class JointLaws {
     private static final double ROUND_OFF = 1e-6;
 
     private JointLaws() {}
-
-    static HardCase all() {
-        String title = "joined bodies obey the laws of order, mirror, scale, frame and strangers";
-        return new JointCase("J16", title, JointLaws::run);
-    }
 
     /** A chain, as it is told a pool. */
     private record Chain(double side, double scale, double carried, long order, double[] draws) {
@@ -96,7 +92,7 @@ final class JointLaws {
                 return hook.velocity(carried, 0).group(1);
             }
             double length = 0.3 * scale;
-            return BodyDefinition.dynamic(Polygon.box(length, (0.05 + 0.1 * draws[i]) * scale))
+            return Solid.box(length, (0.05 + 0.1 * draws[i]) * scale)
                     .at(side * (i - 0.5) * length, 0)
                     .velocity(carried, 0)
                     .group(1);
@@ -116,7 +112,7 @@ final class JointLaws {
 
         WatchedPool pool(Trial trial) {
             return trial.pool(
-                            Surroundings.space()
+                            Earth.space()
                                     .with(new Joints())
                                     .with(new Gravity(0, -Trial.GRAVITY * scale)))
                     .withEnergyOfItsOwn();
@@ -141,7 +137,7 @@ final class JointLaws {
         }
     }
 
-    private static void run(Trial trial) {
+    static void run(Trial trial) {
         int count = trial.sampling().count(2, 20);
         for (int i = 0; i < count; i++) {
             SplittableRandom random = trial.sampling().random(i);
@@ -171,7 +167,7 @@ final class JointLaws {
     private static double[] besideStrangers(Trial trial, Chain chain) {
         WatchedPool pool = chain.pool(trial);
         RigidBody far = pool.add(BodyDefinition.fixed(new Circle(0.1)).at(50, 0));
-        RigidBody bob = pool.add(BodyDefinition.dynamic(new Circle(0.3)).at(51, 0));
+        RigidBody bob = pool.add(Solid.disc(0.3).at(51, 0));
         pool.join(RevoluteJoint.at(far, bob, 50, 0));
         List<RigidBody> links = chain.build(pool);
         pool.run(HORIZON);
@@ -203,7 +199,7 @@ final class JointLaws {
         pool.pool().remove(cut);
         pool.join(WeldJoint.at(links.get(LINKS - 1), last, last.x(), last.y()));
         RigidBody hook = links.get(0);
-        RigidBody rider = pool.add(BodyDefinition.dynamic(new Circle(0.1)).at(5, 0).group(1));
+        RigidBody rider = pool.add(Solid.disc(0.1).at(5, 0).group(1));
         pool.join(PrismaticJoint.along(hook, rider, 5, 0, 0.3));
         double start = pool.energy();
         double gained = 0;
@@ -212,7 +208,7 @@ final class JointLaws {
             gained = Math.max(gained, pool.energy() - start);
             error = Math.max(error, pool.jointError());
         }
-        trial.measure("error after edits", error, "m", JointCase.ERROR);
+        trial.measure("error after edits", error, "m", JointLimits.ERROR);
         double all = Math.abs(start) + rider.mass() * Trial.GRAVITY;
         trial.measure("energy gained after edits", gained / all, "", Limits.of(1e-3, 1e-6));
     }

@@ -4,28 +4,17 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: v′ = g − cv gives v = v∞ + (v0 − v∞)e^(−ct) with v∞ = g/c, and x = x0 + v∞t + (v0 − v∞)(1
  * − e^(−ct))/c. At c = 30 a step of 1/(1 + c·dt) would leave 0.667 of a speed where 0.607 is right.
  */
-final class LinearDrag implements HardCase {
+final class LinearDrag implements Scenes {
 
     private static final double SPEED = 8;
     private static final double HORIZON = 2;
-
-    @Override
-    public String row() {
-        return "2";
-    }
-
-    @Override
-    public String title() {
-        return "linear drag lets a speed decay exponentially";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -38,10 +27,7 @@ final class LinearDrag implements HardCase {
     private static void fly(Trial trial, double c) {
         WatchedPool pool = trial.pool(Effects.of(new Gravity(0, -Trial.GRAVITY), new Drag()));
         RigidBody ball =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(0.5))
-                                .velocity(SPEED, 0)
-                                .material(Material.DEFAULT.drag(c)));
+                pool.add(Solid.disc(0.5).velocity(SPEED, 0).material(Material.DEFAULT.drag(c)));
         double terminal = -Trial.GRAVITY / c;
         for (int i = 1; i <= Math.round(HORIZON / Trial.DT); i++) {
             pool.step();

@@ -1,11 +1,11 @@
 package rigibo.lab.hardcase;
 
-import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Slope;
+import rigibo.lab.truth.Solid;
 
 /**
  * Regular polygons and a disc of 1 m start rolling down 10° at 1 m/s. Truth: when the next corner
@@ -14,7 +14,7 @@ import rigibo.lab.truth.Slope;
  * way covered while the disc rolls 5 m is 1.5 % behind the disc's at 256 corners and r = 1 m,
  * within the 2 % asked for; it would be 2.9 % at r = ½ m.
  */
-final class ManyCornered implements HardCase {
+final class ManyCornered implements Scenes {
 
     private static final double RADIUS = 1;
     private static final double ANGLE = Math.toRadians(10);
@@ -23,31 +23,6 @@ final class ManyCornered implements HardCase {
 
     /** What a phase of the rolling edge may move the comparison of two ways, as a share. */
     private static final double LEEWAY = 1e-3;
-
-    @Override
-    public String row() {
-        return "37";
-    }
-
-    @Override
-    public String title() {
-        return "the more corners a wheel has, the more it rolls like a disc";
-    }
-
-    /** One substep a step is too few for what turns on a corner. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
-    public String finding() {
-        return "By the impacts of its corners alone a wheel of 256 is 1.5 % behind, so 2 % leaves"
-                + " half a percent. At 3.4 m/s a corner lands 2.3 times a step; at GAME it lands"
-                + " within 0.1 mm of the slope, and what it falls through costs the rest."
-                + " At EXACT the wheel of 16 corners has a little more energy after ten steps than"
-                + " it began with.";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -65,19 +40,14 @@ final class ManyCornered implements HardCase {
 
     private static double way(Trial trial, Shape shape) {
         Slope slope = new Slope(ANGLE);
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(slope.plank(Surroundings.matter(0.8, 0)));
+        WatchedPool pool = trial.earth();
         BodyDefinition wheel =
-                slope.place(
-                                BodyDefinition.dynamic(shape).material(Surroundings.matter(0.8, 0)),
-                                RADIUS)
+                slope.place(Solid.of(shape, 0.8, 0), RADIUS)
                         .velocity(SPEED * Math.cos(ANGLE), -SPEED * Math.sin(ANGLE))
                         .spin(-SPEED / RADIUS);
-        RigidBody body = pool.add(wheel);
-        double startX = body.x();
-        double startY = body.y();
+        Descent descent = new Descent(pool, slope, wheel);
         double a = 2 * Trial.GRAVITY * Math.sin(ANGLE) / 3;
         pool.run((Math.sqrt(SPEED * SPEED + 2 * a * WAY) - SPEED) / a);
-        return slope.down(body.x() - startX, body.y() - startY);
+        return descent.way();
     }
 }

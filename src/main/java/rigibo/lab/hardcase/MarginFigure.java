@@ -44,19 +44,17 @@ public final class MarginFigure {
 
     private final Map<String, List<Margin>> rows = new LinkedHashMap<>();
     private final List<Margin> margins;
-    private final double width;
 
-    /** A figure, so many px wide. */
-    public MarginFigure(List<Margin> margins, double width) {
+    /** A figure of some margins. */
+    public MarginFigure(List<Margin> margins) {
         this.margins = margins;
-        this.width = width;
         for (Margin margin : margins) {
             rows.computeIfAbsent(margin.row(), row -> new ArrayList<>()).add(margin);
         }
     }
 
-    /** All of it. */
-    public Drawing drawing() {
+    /** All of it, so many px wide. */
+    public Drawing drawing(double width) {
         Drawing drawing = new Drawing(width);
         drawing.text(
                 10,

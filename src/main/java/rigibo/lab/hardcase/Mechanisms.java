@@ -8,9 +8,8 @@ import rigibo.backend.PulleyJoint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WheelJoint;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.SplittableRandom;
 
@@ -27,15 +26,8 @@ final class Mechanisms {
 
     private Mechanisms() {}
 
-    static HardCase all() {
-        String title = "mechanisms are where geometry says";
-        return new JointCase("J7", title, Mechanisms::run);
-    }
-
-    private static void run(Trial trial) {
-        int count = trial.sampling().count(2, 15);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+    static void run(Trial trial) {
+        for (SplittableRandom random : trial.sampling().draws(2, 15)) {
             double size = 0.5 + 1.5 * random.nextDouble();
             double speed = (0.5 + 4 * random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
             sliderCrank(trial, size, size * (1.5 + 3 * random.nextDouble()), speed);
@@ -49,14 +41,14 @@ final class Mechanisms {
 
     private static void place(Trial trial, RigidBody body, double x, double y, double extent) {
         double off = Math.hypot(body.x() - x, body.y() - y) / extent;
-        trial.measure("place", off, "of its extent", JointCase.PLACE);
+        trial.measure("place", off, "of its extent", JointLimits.PLACE);
     }
 
     /** A bar between two points. */
     private static RigidBody bar(WatchedPool pool, double ax, double ay, double bx, double by) {
         double length = Math.hypot(bx - ax, by - ay);
         return pool.add(
-                BodyDefinition.dynamic(Polygon.box(length, 0.05))
+                Solid.box(length, 0.05)
                         .at((ax + bx) / 2, (ay + by) / 2)
                         .angle(Math.atan2(by - ay, bx - ax))
                         .group(1));
@@ -69,18 +61,17 @@ final class Mechanisms {
     }
 
     private static WatchedPool pool(Trial trial, boolean hasWeight) {
-        WatchedPool pool = hasWeight ? JointCase.earth(trial) : JointCase.space(trial);
+        WatchedPool pool = hasWeight ? trial.jointedEarth() : trial.jointedSpace();
         return pool.withEnergyOfItsOwn();
     }
 
     private static void sliderCrank(Trial trial, double r, double l, double speed) {
         trial.variant("slider crank, r " + r + ", l " + l + ", " + speed + " rad/s");
         WatchedPool pool = pool(trial, true);
-        RigidBody frame = JointCase.hook(pool, 0, 0);
+        RigidBody frame = pool.hook(0, 0);
         RigidBody crank = bar(pool, 0, 0, r, 0);
         RigidBody rod = bar(pool, r, 0, r + l, 0);
-        RigidBody slider =
-                pool.add(BodyDefinition.dynamic(Polygon.box(0.3, 0.2)).at(r + l, 0).group(1));
+        RigidBody slider = pool.add(Solid.box(0.3, 0.2).at(r + l, 0).group(1));
         pool.join(crank(frame, crank, 0, 0, speed));
         pool.join(RevoluteJoint.at(crank, rod, r, 0));
         pool.join(RevoluteJoint.at(rod, slider, r + l, 0));
@@ -91,7 +82,7 @@ final class Mechanisms {
             double across = r * Math.sin(phi);
             double x = r * Math.cos(phi) + Math.sqrt(l * l - across * across);
             place(trial, slider, x, 0, r);
-            JointCase.measureErrors(trial, pool);
+            pool.measureJoints();
         }
     }
 
@@ -102,7 +93,7 @@ final class Mechanisms {
         double rocker = a * (2.5 + random.nextDouble());
         trial.variant("four-bar " + a + ", " + frameLength + ", " + coupler + ", " + rocker + " m");
         WatchedPool pool = pool(trial, false);
-        RigidBody frame = JointCase.hook(pool, 0, 0);
+        RigidBody frame = pool.hook(0, 0);
         double[] joint = meeting(a, 0, coupler, frameLength, rocker);
         RigidBody crank = bar(pool, 0, 0, a, 0);
         RigidBody between = bar(pool, a, 0, joint[0], joint[1]);
@@ -117,7 +108,7 @@ final class Mechanisms {
             double[] at =
                     meeting(a * Math.cos(phi), a * Math.sin(phi), coupler, frameLength, rocker);
             place(trial, swing, (frameLength + at[0]) / 2, at[1] / 2, a);
-            JointCase.measureErrors(trial, pool);
+            pool.measureJoints();
         }
     }
 
@@ -136,7 +127,7 @@ final class Mechanisms {
     private static void scissors(Trial trial, double length, int crosses, double speed) {
         trial.variant("scissor lift of " + crosses + " crosses of " + length + " m");
         WatchedPool pool = pool(trial, true);
-        RigidBody frame = JointCase.hook(pool, 0, 0);
+        RigidBody frame = pool.hook(0, 0);
         double start = 0.4;
         double wide = length * Math.cos(start);
         double high = length * Math.sin(start);
@@ -162,16 +153,16 @@ final class Mechanisms {
             double phi = start + speed * pool.time();
             double y = (crosses - 0.5) * length * Math.sin(phi);
             place(trial, rising, length * Math.cos(phi) / 2, y, length);
-            JointCase.measureErrors(trial, pool);
+            pool.measureJoints();
         }
     }
 
     private static void gears(Trial trial, double radius, double ratio, double torque) {
         trial.variant("gears 1:" + ratio + ", " + torque + " N·m");
         WatchedPool pool = pool(trial, true);
-        RigidBody frame = JointCase.hook(pool, 0, 0);
-        RigidBody one = pool.add(BodyDefinition.dynamic(new Circle(radius)).group(1));
-        RigidBody two = pool.add(BodyDefinition.dynamic(new Circle(radius)).at(5, 0).group(1));
+        RigidBody frame = pool.hook(0, 0);
+        RigidBody one = pool.add(Solid.disc(radius).group(1));
+        RigidBody two = pool.add(Solid.disc(radius).at(5, 0).group(1));
         double most = Math.abs(torque);
         Joint first =
                 pool.join(
@@ -183,16 +174,16 @@ final class Mechanisms {
             pool.step();
             double truth = alpha * pool.time() * pool.time() / 2;
             double off = Math.abs(one.angle() / truth - 1);
-            trial.measure("angle", off, "of truth", JointCase.PLACE);
+            trial.measure("angle", off, "of truth", JointLimits.PLACE);
             off = Math.abs(two.angle() * ratio / truth + 1);
-            trial.measure("angle of the other", off, "of truth", JointCase.PLACE);
+            trial.measure("angle of the other", off, "of truth", JointLimits.PLACE);
         }
     }
 
     private static void atwood(Trial trial, double one, double other) {
         trial.variant("Atwood's machine, " + one + " and " + other + " kg");
-        WatchedPool pool = JointCase.earth(trial);
-        BodyDefinition weight = BodyDefinition.dynamic(new Circle(0.1));
+        WatchedPool pool = trial.jointedEarth();
+        BodyDefinition weight = Solid.disc(0.1);
         RigidBody left = pool.add(weight.at(-1, 0).mass(one));
         RigidBody right = pool.add(weight.at(1, 0).mass(other));
         pool.join(PulleyJoint.over(left, right, 30));
@@ -200,16 +191,16 @@ final class Mechanisms {
         while (pool.time() < 1) {
             pool.step();
             double off = Math.abs(left.velocityY() / pool.time() - truth) / Trial.GRAVITY;
-            trial.measure("acceleration", off, "of g", JointCase.PLACE);
+            trial.measure("acceleration", off, "of g", JointLimits.PLACE);
             off = Math.abs(left.y() + right.y());
-            trial.measure("stretch of the rope", off, "m", JointCase.ERROR);
+            trial.measure("stretch of the rope", off, "m", JointLimits.ERROR);
         }
     }
 
     private static void legs(Trial trial, double length, int legs, double speed) {
         trial.variant("a coupler on " + legs + " legs of " + length + " m");
         WatchedPool pool = pool(trial, true);
-        RigidBody frame = JointCase.hook(pool, 0, 0);
+        RigidBody frame = pool.hook(0, 0);
         RigidBody coupler = bar(pool, 0, length, legs - 1, length);
         for (int i = 0; i < legs; i++) {
             RigidBody leg = bar(pool, i, 0, i, length);
@@ -223,7 +214,7 @@ final class Mechanisms {
             double phi = speed * pool.time();
             double x = middle - length * Math.sin(phi);
             place(trial, coupler, x, length * Math.cos(phi), length);
-            JointCase.measureErrors(trial, pool);
+            pool.measureJoints();
         }
     }
 }

@@ -10,7 +10,7 @@ import java.util.List;
  * A pile on a floor that moves at a constant speed, and all of it with the floor. Truth: the laws
  * are the same in both frames, so the pile does what it does on a floor at rest, at the same cost.
  */
-final class MovingFloor implements HardCase {
+final class MovingFloor implements Scenes {
 
     private static final List<Double> SPEEDS = List.of(0.5, 5.0, 50.0);
     private static final Limits MOST_OFF = Limits.same(1e-6);
@@ -18,27 +18,6 @@ final class MovingFloor implements HardCase {
 
     /** A pile that stands goes on standing: looked at again after so many s. */
     private static final double LATE = 3;
-
-    @Override
-    public String row() {
-        return "M8";
-    }
-
-    @Override
-    public String title() {
-        return "a pile on a moving floor fares as on a floor at rest";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
-    public String finding() {
-        return "Storeys of a regular pyramid land at the same time, and from one impact to the next"
-                + " round-off can choose which of two equal ones is an impact at all.";
-    }
 
     @Override
     public void run(Trial trial) {

@@ -1,8 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth for v = (3, −4), r = ½, e = ½, per mass: jn = (1 + e)·4 = 6. The contact point's slip 3 is
@@ -10,25 +10,9 @@ import rigibo.backend.setup.BodyDefinition;
  * 0.2, vx = 2 and ω = −jt·r/(r²/2) = −4 (it rolls to the right). At μ = 0.1 it slips: jt = 0.6, vx
  * = 2.4, ω = −2.4. Without gravity, so that the velocity at the impact is the one given.
  */
-final class ObliqueDisc implements HardCase {
+final class ObliqueDisc implements Scenes {
 
     private static final int PHASES = 5;
-
-    @Override
-    public String row() {
-        return "13";
-    }
-
-    @Override
-    public String title() {
-        return "a disc thrown at the floor sticks or slips as Coulomb says";
-    }
-
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -43,14 +27,10 @@ final class ObliqueDisc implements HardCase {
 
     private static void bounce(
             Trial trial, double friction, double impact, double vx, double spin) {
-        WatchedPool pool = trial.pool(Surroundings.space());
-        pool.add(Surroundings.floor(friction, 0.5));
+        WatchedPool pool = trial.space();
+        pool.add(Earth.floor(friction, 0.5));
         RigidBody disc =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(0.5))
-                                .at(0, 0.5 + 4 * impact)
-                                .velocity(3, -4)
-                                .material(Surroundings.matter(friction, 0.5)));
+                pool.add(Solid.disc(0.5, friction, 0.5).at(0, 0.5 + 4 * impact).velocity(3, -4));
         pool.run(12 * Trial.DT);
         trial.measure("vx", Math.abs(disc.velocityX() - vx), "m/s", 1e-9, 1e-3);
         trial.measure("vy", Math.abs(disc.velocityY() - 2), "m/s", 1e-9, 1e-3);

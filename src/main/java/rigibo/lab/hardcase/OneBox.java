@@ -1,32 +1,22 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: a box on the floor stays where it is, and in every step the floor's impulse balances its
  * weight, m·g·dt. Sleep is off.
  */
-final class OneBox implements HardCase {
+final class OneBox implements Scenes {
 
     private static final double HORIZON = 60;
 
     @Override
-    public String row() {
-        return "19";
-    }
-
-    @Override
-    public String title() {
-        return "a box on the floor does not move";
-    }
-
-    @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        RigidBody floor = pool.add(Surroundings.floor(0.5, 0));
-        RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.5));
+        WatchedPool pool = trial.earth();
+        RigidBody floor = pool.add(Earth.floor(0.5, 0));
+        RigidBody box = pool.add(Solid.box(1, 1).at(0, 0.5));
         pool.run(1);
         double x = box.x();
         double y = box.y();

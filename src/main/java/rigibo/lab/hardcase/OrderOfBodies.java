@@ -5,6 +5,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -16,20 +17,10 @@ import java.util.Random;
  * five impacts at five different times; the same set shuffled must move the same. A pair shuffled
  * changes which body is A, so the last bits may differ.
  */
-final class OrderOfBodies implements HardCase {
+final class OrderOfBodies implements Scenes {
 
     private static final int SHUFFLES = 10;
     private static final double HORIZON = 2;
-
-    @Override
-    public String row() {
-        return "9";
-    }
-
-    @Override
-    public String title() {
-        return "the order in which bodies are added does not matter";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -56,7 +47,7 @@ final class OrderOfBodies implements HardCase {
 
     private static List<RigidBody> simulate(
             Trial trial, List<BodyDefinition> bodies, List<Integer> order) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
+        WatchedPool pool = trial.earth();
         List<RigidBody> added = new ArrayList<>();
         for (int i : order) {
             added.add(pool.add(bodies.get(i)));
@@ -69,8 +60,7 @@ final class OrderOfBodies implements HardCase {
         List<BodyDefinition> bodies = new ArrayList<>();
         for (int i = 0; i < 5; i++) {
             Shape shape = i % 2 == 0 ? new Circle(0.4) : Polygon.box(0.7, 0.5);
-            BodyDefinition pattern =
-                    BodyDefinition.dynamic(shape).material(Surroundings.matter(0.3, 0.6));
+            BodyDefinition pattern = Solid.of(shape, 0.3, 0.6);
             double y = 10.0 * i;
             bodies.add(pattern.at(-3 - 0.21 * i, y).velocity(4, 1).angle(0.3 * i));
             bodies.add(pattern.at(3, y + 0.1).velocity(-3, 1).spin(0.5));

@@ -6,6 +6,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -16,7 +17,7 @@ import java.util.SplittableRandom;
  * it comes to rest in overlap, which is told, and stays inside; forces are of the size of weights,
  * for no law says more; and a step of rest costs no more than one before.
  */
-final class OverfullRoom implements HardCase {
+final class OverfullRoom implements Scenes {
 
     private static final double SIDE = 5;
     private static final double HORIZON = 10;
@@ -25,27 +26,6 @@ final class OverfullRoom implements HardCase {
     private static final Limits MOST_IMPULSE = Limits.same(10);
     private static final Limits MOST_WORK = Limits.same(1.05);
     private static final Limits NEVER = Limits.same(0);
-
-    @Override
-    public String row() {
-        return "M10";
-    }
-
-    @Override
-    public String title() {
-        return "a room that is too full comes to rest and says so";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
-    public String finding() {
-        return "One room in forty goes on: what falls in it makes it one that moves, and then it is"
-                + " stirred. The row is kept, but takes tests too long at EXACT.";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -59,8 +39,8 @@ final class OverfullRoom implements HardCase {
     }
 
     private static void settle(Trial trial, double fill, Shape shape) {
-        WatchedPool pool = trial.pool(Surroundings.earth()).allowingOverlap();
-        BodyDefinition wall = BodyDefinition.fixed(Polygon.box(SIDE + 4, 2));
+        WatchedPool pool = trial.earth().allowingOverlap();
+        BodyDefinition wall = Solid.fixed(SIDE + 4, 2);
         pool.add(wall.at(0, -1));
         pool.add(wall.at(0, SIDE + 1));
         pool.add(wall.at(-SIDE / 2 - 1, SIDE / 2).angle(Math.PI / 2));
@@ -95,10 +75,9 @@ final class OverfullRoom implements HardCase {
             double y = SIDE / 2 + inside * ((i / columns + random.nextDouble()) / rows - 0.5);
             bodies.add(
                     pool.add(
-                            BodyDefinition.dynamic(shape)
+                            Solid.of(shape, 0.5, 0)
                                     .at(x, y)
-                                    .angle(2 * Math.PI * random.nextDouble())
-                                    .material(Surroundings.matter(0.5, 0))));
+                                    .angle(2 * Math.PI * random.nextDouble())));
         }
         return bodies;
     }

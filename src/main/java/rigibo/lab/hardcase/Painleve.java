@@ -1,8 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * A rod of 2 m at tan θ = 2 slides on its lower end at 5 m/s, pushed rather than drawn. With the
@@ -12,7 +12,7 @@ import rigibo.backend.setup.BodyDefinition;
  * At μ = 2 it is negative (Painlevé, 1895): no force solves it, and all that is asked is what every
  * case is.
  */
-final class Painleve implements HardCase {
+final class Painleve implements Scenes {
 
     private static final double HALF_LENGTH = 1;
     private static final double THICKNESS = 1e-3;
@@ -28,44 +28,27 @@ final class Painleve implements HardCase {
             (4 * HALF_LENGTH * HALF_LENGTH + THICKNESS * THICKNESS) / 12;
 
     @Override
-    public String row() {
-        return "33";
-    }
-
-    @Override
-    public String title() {
-        return "a pushed rod slides as its equation says, and without one it does no harm";
-    }
-
-    /** One substep a step is too few for what turns on a corner. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
     public void run(Trial trial) {
         trial.variant("regular");
         regular(trial, 1.2);
         trial.variant("paradox");
-        WatchedPool pool = trial.pool(Surroundings.earth());
+        WatchedPool pool = trial.earth();
         place(pool, 2);
         pool.run(2);
     }
 
     private static RigidBody place(WatchedPool pool, double friction) {
-        pool.add(Surroundings.floor(friction, 0));
+        pool.add(Earth.floor(friction, 0));
         return pool.add(
-                BodyDefinition.dynamic(Polygon.box(2 * HALF_LENGTH, THICKNESS))
+                Solid.box(2 * HALF_LENGTH, THICKNESS, friction, 0)
                         .at(0, -leverY(START))
                         .angle(START)
                         .velocity(-SPEED, 0)
-                        .mass(1)
-                        .material(Surroundings.matter(friction, 0)));
+                        .mass(1));
     }
 
     private static void regular(Trial trial, double friction) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
+        WatchedPool pool = trial.earth();
         RigidBody rod = place(pool, friction);
         double[] truth = {START, 0, 0, -SPEED};
         long steps = Math.round(HORIZON / STEP);

@@ -1,7 +1,7 @@
 package rigibo.lab.hardcase;
 
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -50,10 +50,9 @@ record PlateBowl(double radius, int plates, double lap) {
         for (int plate = 0; plate < plates; plate++) {
             double[] at = on(plate, 0, -THICKNESS / 2);
             bodies.add(
-                    BodyDefinition.fixed(Polygon.box(lap * length(), THICKNESS))
+                    Solid.fixed(lap * length(), THICKNESS, 0, 0)
                             .at(at[0], at[1])
-                            .angle(slope(plate))
-                            .material(Surroundings.matter(0, 0)));
+                            .angle(slope(plate)));
         }
         return bodies;
     }

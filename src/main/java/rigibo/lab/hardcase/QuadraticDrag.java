@@ -14,21 +14,11 @@ import rigibo.backend.setup.BodyDefinition;
  * with the weight mg = ½·ρ·c·A·v_t². A disc of 1 m and a square of 1 m that falls on a face are as
  * wide as a metre; one that falls on a corner is as wide as its diagonal.
  */
-final class QuadraticDrag implements HardCase {
+final class QuadraticDrag implements Scenes {
 
     private static final double TERMINAL = 20;
     private static final double HORIZON = 5;
     private static final double COEFFICIENT = 1.1;
-
-    @Override
-    public String row() {
-        return "3";
-    }
-
-    @Override
-    public String title() {
-        return "quadratic drag lets a falling body approach its terminal speed";
-    }
 
     @Override
     public void run(Trial trial) {

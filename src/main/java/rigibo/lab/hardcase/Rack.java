@@ -1,8 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,7 +11,7 @@ import java.util.List;
  * A cue ball runs straight into a rack of fifteen, all smooth and elastic. Truth: the scene is its
  * own mirror image, and stays it; energy and momentum are kept.
  */
-final class Rack implements HardCase {
+final class Rack implements Scenes {
 
     private static final double RADIUS = 0.03;
     private static final double SPEED = 5;
@@ -19,20 +19,9 @@ final class Rack implements HardCase {
     private static final double HORIZON = 0.2;
 
     @Override
-    public String row() {
-        return "52";
-    }
-
-    @Override
-    public String title() {
-        return "a rack struck in the middle breaks symmetrically";
-    }
-
-    @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.space());
-        BodyDefinition ball =
-                BodyDefinition.dynamic(new Circle(RADIUS)).material(Surroundings.matter(0, 1));
+        WatchedPool pool = trial.space();
+        BodyDefinition ball = Solid.disc(RADIUS, 0, 1);
         RigidBody cue = pool.add(ball.at(-0.3, 0).velocity(SPEED, 0));
         List<RigidBody[]> rows = new ArrayList<>();
         for (int row = 0; row < ROWS; row++) {

@@ -10,7 +10,6 @@ import rigibo.lab.bench.scene.Crowd;
 import rigibo.lab.bench.scene.Scene;
 
 import java.util.List;
-import java.util.Locale;
 
 /**
  * Boxes or discs, or both, fall at any angle into a trough. Truth: nothing passes through anything,
@@ -18,63 +17,18 @@ import java.util.Locale;
  * take it, every heap comes to rest. The last body lands no later than by a free fall from where it
  * began to the floor, √(2y/g); 10 s after that nothing is faster than 1 mm/s, and with Sleep all
  * sleep.
+ *
+ * @param crowd what falls
+ * @param overlap its limit in widths of the smaller body, from GAME on
+ * @param few sizes that are tried as a rule
+ * @param all sizes
  */
-final class Rain implements HardCase {
+record Rain(Crowd crowd, double overlap, List<Integer> few, List<Integer> all) implements Scenes {
 
     private static final double PATIENCE = 10;
     private static final double MOST_SPEED = 1e-3;
     private static final Limits MOST_OVERLAP_AT_REST = new Limits(0.02, 0.005, 0.005);
     private static final double ROLLING_LEVER_BY_RADIUS = 0.01;
-
-    private final Crowd crowd;
-    private final int most;
-    private final double overlap;
-    private final List<Integer> few;
-    private final List<Integer> all;
-    private final String finding;
-
-    /**
-     * A case.
-     *
-     * @param most bodies of the class of sizes
-     * @param overlap its limit in widths of the smaller body, from GAME on
-     * @param few sizes that are tried as a rule
-     * @param all sizes
-     * @param finding why it does not reach its truth everywhere, or empty
-     */
-    Rain(
-            Crowd crowd,
-            int most,
-            double overlap,
-            List<Integer> few,
-            List<Integer> all,
-            String finding) {
-        this.crowd = crowd;
-        this.most = most;
-        this.overlap = overlap;
-        this.few = few;
-        this.all = all;
-        this.finding = finding;
-    }
-
-    @Override
-    public String row() {
-        return "M1/" + kind() + "/" + most;
-    }
-
-    @Override
-    public String title() {
-        return "up to " + most + " " + kind() + " rain, pass through nothing and come to rest";
-    }
-
-    private String kind() {
-        return crowd.name().toLowerCase(Locale.ROOT);
-    }
-
-    @Override
-    public String finding() {
-        return finding;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -87,7 +41,7 @@ final class Rain implements HardCase {
             StagedScene sleeping = new StagedScene(trial, scene, scene.effects().with(new Sleep()));
             sleeping.runUntil(rest);
             long awake = sleeping.dynamic().stream().filter(RigidBody::isAwake).count();
-            trial.measure("awake 10 s after landing", awake, "bodies", Limits.same(0));
+            trial.measure("awake 10 s after landing", awake, "bodies", 0);
         }
     }
 
@@ -119,12 +73,12 @@ final class Rain implements HardCase {
             stage.step();
             passed += passages.count();
         }
-        trial.measure("passed through each other", passed, "pairs", Limits.same(0));
+        trial.measure("passed through each other", passed, "pairs", 0);
         long lost = stage.dynamic().stream().filter(body -> body.y() < 0).count();
-        trial.measure("fell through the floor", lost, "bodies", Limits.same(0));
+        trial.measure("fell through the floor", lost, "bodies", 0);
         Limits limits = new Limits(0.5, overlap, overlap);
         trial.measure("overlap while it rains", pool.deepestShare(), "width", limits);
         trial.measure("overlap at rest", pool.overlapNow(), "width", MOST_OVERLAP_AT_REST);
-        trial.measure("fastest at rest", pool.fastest(), "m/s", Limits.same(MOST_SPEED));
+        trial.measure("fastest at rest", pool.fastest(), "m/s", MOST_SPEED);
     }
 }

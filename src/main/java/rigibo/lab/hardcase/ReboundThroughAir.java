@@ -7,35 +7,19 @@ import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth with the terminal speed w: dropped through H a ball hits at v² = w²(1 − e^(−2gH/w²)),
  * rebounds without loss, and rises to w²/2g·ln(1 + v²/w²). From its speed v when first seen rising
  * it has w²/g·ln(1/cos(atan(v/w))) to go. The heights put the impact at every phase of a step.
  */
-final class ReboundThroughAir implements HardCase {
+final class ReboundThroughAir implements Scenes {
 
     private static final double TERMINAL = 20;
     private static final double RADIUS = 0.5;
     private static final int PHASES = 25;
-
-    @Override
-    public String row() {
-        return "origin/rebound-air";
-    }
-
-    @Override
-    public String title() {
-        return "a ball rebounds through air as high as the air lets it";
-    }
-
-    /** DRAFT takes a force that changes along the way once a step. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -60,13 +44,8 @@ final class ReboundThroughAir implements HardCase {
                                 new Restitution(),
                                 new ContinuousImpacts(),
                                 new AirDrag(density, 1)));
-        pool.add(Surroundings.floor(0, 1));
-        RigidBody ball =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
-                                .mass(1)
-                                .at(0, height + RADIUS)
-                                .material(Surroundings.matter(0, 1)));
+        pool.add(Earth.floor(0, 1));
+        RigidBody ball = pool.add(Solid.disc(RADIUS, 0, 1).mass(1).at(0, height + RADIUS));
         while (ball.velocityY() <= 0) {
             pool.step();
         }

@@ -2,9 +2,8 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.ContactEvent;
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -14,7 +13,7 @@ import java.util.List;
  * Truth: what stood on it, or just struck it, keeps the velocity it had and falls freely from the
  * very next step, v = v₀ − g·t; what is below stays. Nothing of the contact acts once more.
  */
-final class RemovedOnContact implements HardCase {
+final class RemovedOnContact implements Scenes {
 
     private static final int COUNT = 10;
     private static final int STEPS_OF_FALL = 6;
@@ -23,16 +22,6 @@ final class RemovedOnContact implements HardCase {
 
     /** Long enough for the drop, which takes 0.55 s. */
     private static final double MOST_SECONDS = 2;
-
-    @Override
-    public String row() {
-        return "65/event";
-    }
-
-    @Override
-    public String title() {
-        return "what a contact event names can be removed at once";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -47,12 +36,10 @@ final class RemovedOnContact implements HardCase {
     }
 
     private static void fromAStack(Trial trial, int removed) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
+        WatchedPool pool = trial.earth();
         List<RigidBody> bodies = new ArrayList<>();
-        bodies.add(pool.add(Surroundings.floor(0.5, 0)));
-        for (int i = 0; i < COUNT; i++) {
-            bodies.add(pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, i + 0.5)));
-        }
+        bodies.add(pool.add(Earth.floor(0.5, 0)));
+        bodies.addAll(pool.stack(COUNT));
         pool.run(1);
         RigidBody victim = bodies.get(removed + 1);
         boolean isNamed =
@@ -68,14 +55,9 @@ final class RemovedOnContact implements HardCase {
     }
 
     private static void underADisc(Trial trial, double e) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        RigidBody floor = pool.add(Surroundings.floor(0, e));
-        RigidBody disc =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
-                                .at(0, RADIUS + DROP)
-                                .velocity(1, 0)
-                                .material(Surroundings.matter(0, e)));
+        WatchedPool pool = trial.earth();
+        RigidBody floor = pool.add(Earth.floor(0, e));
+        RigidBody disc = pool.add(Solid.disc(RADIUS, 0, e).at(0, RADIUS + DROP).velocity(1, 0));
         boolean isStruck = false;
         while (!isStruck && pool.time() < MOST_SECONDS) {
             pool.step();

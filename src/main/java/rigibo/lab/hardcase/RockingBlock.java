@@ -1,8 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.SplittableRandom;
 
@@ -12,7 +11,7 @@ import java.util.SplittableRandom;
  * of inverted pendulum structures during earthquakes, 1963, eq. 6), and the energy of rocking is
  * multiplied by its square; between impacts it is kept.
  */
-final class RockingBlock implements HardCase {
+final class RockingBlock implements Scenes {
 
     private static final int IMPACTS = 10;
     private static final double FRICTION = 2;
@@ -24,25 +23,8 @@ final class RockingBlock implements HardCase {
     private static final Limits LIMITS = Limits.of(0.01, 0.001);
 
     @Override
-    public String row() {
-        return "M7";
-    }
-
-    @Override
-    public String title() {
-        return "a rocking block loses at each impact what Housner says, and nothing between";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
     public void run(Trial trial) {
-        int count = trial.sampling().count(4, 30);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+        for (SplittableRandom random : trial.sampling().draws(4, 30)) {
             double height = 0.5 + 3 * random.nextDouble();
             double width = height * (0.15 + 0.35 * random.nextDouble());
             double start = (0.3 + 0.5 * random.nextDouble()) * Math.atan(width / height);
@@ -54,15 +36,13 @@ final class RockingBlock implements HardCase {
     private static void rock(Trial trial, double width, double height, double start) {
         double half = Math.hypot(width, height) / 2;
         double alpha = Math.atan(width / height);
-        WatchedPool pool = trial.pool(Surroundings.earth()).withOverlapOfItsOwn();
-        pool.add(Surroundings.floor(FRICTION, 0));
+        WatchedPool pool = trial.ground(FRICTION, 0).withOverlapOfItsOwn();
         // Turned counter-clockwise about its lower left corner, which is at the origin.
         RigidBody block =
                 pool.add(
-                        BodyDefinition.dynamic(Polygon.box(width, height))
+                        Solid.box(width, height, FRICTION, 0)
                                 .at(-half * Math.sin(start - alpha), half * Math.cos(start - alpha))
-                                .angle(start)
-                                .material(Surroundings.matter(FRICTION, 0)));
+                                .angle(start));
         double truth = 1 - 1.5 * Math.pow(Math.sin(alpha), 2);
         double least = energyOfLift(LEAST_LIFT, width, height);
         double before = energy(block, height);

@@ -1,8 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: a smooth impact with the lever rx gives j = (1 + e)mv/(1 + m·rx²/I), v′ = −v + j/m, ω′ =
@@ -10,7 +10,7 @@ import rigibo.backend.setup.BodyDefinition;
  * = 5.9956. The rod here is 1 mm thick and hits with its lower left corner, so its lever and
  * inertia are those of a box.
  */
-final class RodEnd implements HardCase {
+final class RodEnd implements Scenes {
 
     private static final double LENGTH = 2;
     private static final double THICKNESS = 1e-3;
@@ -18,16 +18,6 @@ final class RodEnd implements HardCase {
     private static final double SPEED = 5;
     private static final double ELASTICITY = 0.5;
     private static final int PHASES = 5;
-
-    @Override
-    public String row() {
-        return "14";
-    }
-
-    @Override
-    public String title() {
-        return "a rod that lands on one end rebounds turning";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -39,16 +29,15 @@ final class RodEnd implements HardCase {
         double impulse = (1 + ELASTICITY) * SPEED / (1 + leverX * leverX / inertiaPerMass);
         for (int phase = 0; phase < PHASES; phase++) {
             trial.variant("phase " + phase);
-            WatchedPool pool = trial.pool(Surroundings.space());
-            pool.add(Surroundings.floor(0, ELASTICITY));
+            WatchedPool pool = trial.space();
+            pool.add(Earth.floor(0, ELASTICITY));
             double fall = SPEED * (6 + (phase + 0.5) / PHASES) * Trial.DT;
             RigidBody rod =
                     pool.add(
-                            BodyDefinition.dynamic(Polygon.box(LENGTH, THICKNESS))
+                            Solid.box(LENGTH, THICKNESS, 0, ELASTICITY)
                                     .at(0, below + fall)
                                     .angle(ANGLE)
-                                    .velocity(0, -SPEED)
-                                    .material(Surroundings.matter(0, ELASTICITY)));
+                                    .velocity(0, -SPEED));
             pool.run(7 * Trial.DT);
             double speed = rod.velocityY() - (impulse - SPEED);
             trial.measure("velocity", Math.abs(speed), "m/s", 1e-6, 1e-2);

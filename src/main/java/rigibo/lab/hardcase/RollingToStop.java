@@ -2,38 +2,28 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.RollingResistance;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth with the torque c·N against rolling: m·d = F and I·d/r = c·m·g − F·r give the deceleration
  * d = ⅔·c·g/r; from v0 the disc stops after v0²/2d and never reverses.
  */
-final class RollingToStop implements HardCase {
+final class RollingToStop implements Scenes {
 
     private static final double RADIUS = 0.5;
     private static final double LEVER = 0.02;
     private static final double SPEED = 2;
 
     @Override
-    public String row() {
-        return "36";
-    }
-
-    @Override
-    public String title() {
-        return "rolling resistance stops a disc and never turns it back";
-    }
-
-    @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth().with(new RollingResistance()));
-        Material material = Surroundings.matter(0.5, 0).rollingResistance(LEVER);
-        pool.add(Surroundings.floor(0.5, 0));
+        WatchedPool pool = trial.pool(Earth.effects().with(new RollingResistance()));
+        Material material = Solid.matter(0.5, 0).rollingResistance(LEVER);
+        pool.add(Earth.floor(0.5, 0));
         RigidBody disc =
                 pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
+                        Solid.disc(RADIUS)
                                 .at(-5, RADIUS)
                                 .velocity(SPEED, 0)
                                 .spin(-SPEED / RADIUS)

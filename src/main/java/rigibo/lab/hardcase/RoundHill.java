@@ -3,6 +3,7 @@ package rigibo.lab.hardcase;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.SplittableRandom;
 
@@ -12,7 +13,7 @@ import java.util.SplittableRandom;
  * its way, v² = g(R + r)·cos θ: at cos θ = (2/3)·cos θ₀, and (4/7)·cos θ₀ where it rolls. From then
  * on its horizontal speed is v·cos θ, so vₓ² = g(R + r)·cos³θ tells θ.
  */
-final class RoundHill implements HardCase {
+final class RoundHill implements Scenes {
 
     private static final double START = Math.toRadians(1);
 
@@ -23,25 +24,8 @@ final class RoundHill implements HardCase {
     private static final Limits DEGREES = Limits.of(0.4, 0.05);
 
     @Override
-    public String row() {
-        return "M6";
-    }
-
-    @Override
-    public String title() {
-        return "a disc leaves a round hill where its weight no longer holds it";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
     public void run(Trial trial) {
-        int count = trial.sampling().count(5, 40);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+        for (SplittableRandom random : trial.sampling().draws(5, 40)) {
             double reach = 2 + 8 * random.nextDouble();
             double radius = reach * (0.03 + 0.4 * random.nextDouble());
             String words = ", R + r " + reach + " m, r " + radius + " m";
@@ -54,15 +38,14 @@ final class RoundHill implements HardCase {
 
     private static double off(
             Trial trial, double reach, double radius, double friction, double share) {
-        WatchedPool pool = trial.pool(Surroundings.earth()).withOverlapOfItsOwn();
+        WatchedPool pool = trial.earth().withOverlapOfItsOwn();
         pool.add(
                 BodyDefinition.fixed(new Circle(reach - radius))
-                        .material(Surroundings.matter(friction, 0)));
+                        .material(Solid.matter(friction, 0)));
         RigidBody disc =
                 pool.add(
-                        BodyDefinition.dynamic(new Circle(radius))
-                                .at(reach * Math.sin(START), reach * Math.cos(START))
-                                .material(Surroundings.matter(friction, 0)));
+                        Solid.disc(radius, friction, 0)
+                                .at(reach * Math.sin(START), reach * Math.cos(START)));
         while (disc.y() > 0 && pool.time() < PATIENCE) {
             pool.step();
         }

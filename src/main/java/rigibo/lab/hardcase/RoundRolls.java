@@ -4,7 +4,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Bodies dropped with a sideways velocity. Truth: friction turns two thirds of a disc's velocity
@@ -13,22 +13,12 @@ import rigibo.backend.setup.BodyDefinition;
  * the friction μN has the lever h/2 and the weight w/2; and the longer the side, the less they
  * turn.
  */
-final class RoundRolls implements HardCase {
+final class RoundRolls implements Scenes {
 
     private static final double DROP = 0.2;
     private static final double SPEED = 4;
     private static final double FRICTION = 0.9;
     private static final double HORIZON = 8;
-
-    @Override
-    public String row() {
-        return "origin/round-flat";
-    }
-
-    @Override
-    public String title() {
-        return "round bodies roll on, flat ones slide and stop, long ones do not tumble";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -57,14 +47,9 @@ final class RoundRolls implements HardCase {
     }
 
     private static RigidBody fall(Trial trial, Shape shape, double above) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(FRICTION, 0));
+        WatchedPool pool = trial.ground(FRICTION, 0);
         RigidBody body =
-                pool.add(
-                        BodyDefinition.dynamic(shape)
-                                .at(-20, above + DROP)
-                                .velocity(SPEED, 0)
-                                .material(Surroundings.matter(FRICTION, 0)));
+                pool.add(Solid.of(shape, FRICTION, 0).at(-20, above + DROP).velocity(SPEED, 0));
         pool.run(HORIZON);
         return body;
     }

@@ -2,6 +2,7 @@ package rigibo.lab.hardcase;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 
 /**
  * Which of a case's many variants are tried.
@@ -33,6 +34,11 @@ public record Sampling(Extent extent, long seed) {
     /** How many variants to draw. */
     int count(int few, int all) {
         return extent == Extent.FULL ? all : few;
+    }
+
+    /** Draws for so many variants. */
+    List<SplittableRandom> draws(int few, int all) {
+        return IntStream.range(0, count(few, all)).mapToObj(this::random).toList();
     }
 
     /** Draws for one variant, which do not depend on the variants before. */

@@ -1,39 +1,26 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: from v0 = 10 with μ = ½ a box slides d = v0²/2μg = 10.194 m in t = v0/μg = 2.039 s, and
  * does not reverse. Where between two steps it stopped follows from its last speed: v/μg later.
  */
-final class SlideToStop implements HardCase {
+final class SlideToStop implements Scenes {
 
     private static final double SPEED = 10;
     private static final double FRICTION = 0.5;
     private static final double THICKNESS = 0.25;
 
     @Override
-    public String row() {
-        return "27";
-    }
-
-    @Override
-    public String title() {
-        return "a sliding box stops where friction says and stays there";
-    }
-
-    @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(FRICTION, 0));
+        WatchedPool pool = trial.ground(FRICTION, 0);
         RigidBody box =
                 pool.add(
-                        BodyDefinition.dynamic(Polygon.box(1, THICKNESS))
+                        Solid.box(1, THICKNESS, FRICTION, 0)
                                 .at(-5, THICKNESS / 2)
-                                .velocity(SPEED, 0)
-                                .material(Surroundings.matter(FRICTION, 0)));
+                                .velocity(SPEED, 0));
         double braking = FRICTION * Trial.GRAVITY;
         double stop = 0;
         double reverse = 0;

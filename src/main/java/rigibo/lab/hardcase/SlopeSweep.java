@@ -1,29 +1,18 @@
 package rigibo.lab.hardcase;
 
-import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Slope;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: a box on a slope rests while tan(angle) ≤ μ and slides with a = g(sin − μ·cos) beyond,
  * here 0.2° to either side and 10° above. The box is flat, so that it cannot tip at μ = 1.
  */
-final class SlopeSweep implements HardCase {
+final class SlopeSweep implements Scenes {
 
     private static final double THICKNESS = 0.25;
     private static final double REST_HORIZON = 60;
     private static final double SLIDE_HORIZON = 4;
-
-    @Override
-    public String row() {
-        return "26";
-    }
-
-    @Override
-    public String title() {
-        return "a box begins to slide at the angle of friction";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -38,33 +27,29 @@ final class SlopeSweep implements HardCase {
         }
     }
 
-    private static RigidBody place(WatchedPool pool, double friction, Slope slope) {
-        pool.add(slope.plank(Surroundings.matter(friction, 0)));
-        BodyDefinition box =
-                BodyDefinition.dynamic(Polygon.box(1, THICKNESS))
-                        .material(Surroundings.matter(friction, 0));
-        return pool.add(slope.place(box, THICKNESS / 2));
+    private static Descent place(WatchedPool pool, double friction, double angle) {
+        Slope slope = new Slope(angle);
+        BodyDefinition box = Solid.box(1, THICKNESS, friction, 0);
+        return new Descent(pool, slope, slope.place(box, THICKNESS / 2));
     }
 
     private static void rest(Trial trial, double friction, double angle) {
-        Slope slope = new Slope(angle);
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        RigidBody box = place(pool, friction, slope);
+        WatchedPool pool = trial.earth();
+        Descent box = place(pool, friction, angle);
         pool.run(1);
-        double start = slope.down(box.x(), box.y());
+        double start = box.place();
         pool.run(REST_HORIZON - 1);
-        double creep = (slope.down(box.x(), box.y()) - start) / (REST_HORIZON - 1);
+        double creep = (box.place() - start) / (REST_HORIZON - 1);
         trial.measure("creep", Math.abs(creep), "m/s", 1e-6, 1e-4);
     }
 
     private static void slide(Trial trial, double friction, double angle) {
-        Slope slope = new Slope(angle);
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        RigidBody box = place(pool, friction, slope);
+        WatchedPool pool = trial.earth();
+        Descent box = place(pool, friction, angle);
         pool.run(1);
-        double before = slope.down(box.velocityX(), box.velocityY());
+        double before = box.speed();
         pool.run(SLIDE_HORIZON - 1);
-        double after = slope.down(box.velocityX(), box.velocityY());
+        double after = box.speed();
         double truth = Trial.GRAVITY * (Math.sin(angle) - friction * Math.cos(angle));
         double error = (after - before) / (SLIDE_HORIZON - 1) / truth - 1;
         trial.measure("acceleration", Math.abs(error), "of truth", 1e-4, 1e-2);

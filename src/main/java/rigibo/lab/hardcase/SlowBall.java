@@ -1,15 +1,14 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: without gravity and with e = 1 a ball between walls keeps its speed for ever, however slow
  * it is; a threshold of rebound would glue it to the wall.
  */
-final class SlowBall implements HardCase {
+final class SlowBall implements Scenes {
 
     private static final double RADIUS = 0.1;
     private static final int BOUNCES = 1000;
@@ -18,16 +17,6 @@ final class SlowBall implements HardCase {
      * Speeds in m/s and the free way between the walls in m: a bounce takes three steps or more.
      */
     private static final double[][] SPEEDS = {{1e-3, 2e-3}, {1e-2, 2e-3}, {0.1, 1e-2}, {1, 0.05}};
-
-    @Override
-    public String row() {
-        return "17";
-    }
-
-    @Override
-    public String title() {
-        return "a slow ball bounces between walls for ever";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -40,20 +29,15 @@ final class SlowBall implements HardCase {
     }
 
     private static void bounce(Trial trial, double vx, double vy, double way) {
-        WatchedPool pool = trial.pool(Surroundings.space());
+        WatchedPool pool = trial.space();
         double inside = 2 * RADIUS + way;
         for (int side = -1; side <= 1; side += 2) {
-            BodyDefinition wall =
-                    BodyDefinition.fixed(Polygon.box(1, 1)).material(Surroundings.matter(0, 1));
+            BodyDefinition wall = Solid.fixed(1, 1, 0, 1);
             pool.add(wall.at(side * (inside + 1) / 2, 0));
             pool.add(wall.at(0, side * (inside + 1) / 2));
         }
         RigidBody ball =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
-                                .at(0.13 * way, 0.21 * way)
-                                .velocity(vx, vy)
-                                .material(Surroundings.matter(0, 1)));
+                pool.add(Solid.disc(RADIUS, 0, 1).at(0.13 * way, 0.21 * way).velocity(vx, vy));
         double speed = Math.hypot(vx, vy);
         pool.run(BOUNCES * way / speed);
         double change = Math.hypot(ball.velocityX(), ball.velocityY()) / speed - 1;

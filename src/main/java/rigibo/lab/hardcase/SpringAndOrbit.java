@@ -4,36 +4,19 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.CentralForce;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: on a spring of ω what starts at (1, 0) with (0, ω) goes round the unit circle, at the
  * angle ωt. A planet of the half axis 1 keeps v²/2 − GM/r = −GM/2, whatever its eccentricity.
  */
-final class SpringAndOrbit implements HardCase {
+final class SpringAndOrbit implements Scenes {
 
     /** One turn per second, of 60 steps. */
     private static final double OMEGA = 2 * Math.PI;
 
     private static final double HORIZON = 100;
     private static final double NEAREST = 0.5;
-
-    @Override
-    public String row() {
-        return "origin/fields";
-    }
-
-    @Override
-    public String title() {
-        return "a spring keeps its phase and an orbit its energy for a hundred turns";
-    }
-
-    /** DRAFT takes a force that changes along the way once a step. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -47,8 +30,7 @@ final class SpringAndOrbit implements HardCase {
         double squared = OMEGA * OMEGA;
         Field spring = new Field(at -> at.accelerate(-squared * at.x, -squared * at.y));
         WatchedPool pool = trial.pool(Effects.of(spring));
-        RigidBody ball =
-                pool.add(BodyDefinition.dynamic(new Circle(0.1)).at(1, 0).velocity(0, OMEGA));
+        RigidBody ball = pool.add(Solid.disc(0.1).at(1, 0).velocity(0, OMEGA));
         pool.run(HORIZON);
         trial.measure("phase", Math.abs(Math.atan2(ball.y(), ball.x())), "rad", 1e-7, 1e-5);
         double speed = Math.hypot(ball.velocityX(), ball.velocityY()) / OMEGA;
@@ -60,7 +42,7 @@ final class SpringAndOrbit implements HardCase {
         WatchedPool pool = trial.pool(Effects.of(new CentralForce(0, 0, strength, -2)));
         RigidBody planet =
                 pool.add(
-                        BodyDefinition.dynamic(new Circle(0.01))
+                        Solid.disc(0.01)
                                 .at(NEAREST, 0)
                                 .velocity(0, Math.sqrt(strength * (2 / NEAREST - 1))));
         double worst = 0;

@@ -5,11 +5,10 @@ import rigibo.backend.Joint;
 import rigibo.backend.PrismaticJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.JointFrame;
 import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.JointSpring;
+import rigibo.lab.truth.Solid;
 
 import java.util.SplittableRandom;
 
@@ -40,12 +39,7 @@ final class SpringJoints {
 
     private SpringJoints() {}
 
-    static HardCase all() {
-        String title = "springs swing at their period, decay, and bear their load";
-        return new JointCase("J8", title, SpringJoints::run);
-    }
-
-    private static void run(Trial trial) {
+    static void run(Trial trial) {
         int count = trial.sampling().count(4, 30);
         for (int i = 0; i < count; i++) {
             SplittableRandom random = trial.sampling().random(i);
@@ -70,8 +64,8 @@ final class SpringJoints {
     private record Sprung(WatchedPool pool, RigidBody body, Joint joint, Kind kind) {
 
         static Sprung of(WatchedPool pool, Kind kind, double mass, JointSpring spring) {
-            RigidBody hook = JointCase.hook(pool, 0, 0);
-            RigidBody body = pool.add(BodyDefinition.dynamic(new Circle(0.2)).at(1, 0).mass(mass));
+            RigidBody hook = pool.hook(0, 0);
+            RigidBody body = pool.add(Solid.disc(0.2).at(1, 0).mass(mass));
             JointSettings soft = JointSettings.NONE.spring(spring);
             JointFrame centre = JointFrame.CENTRE;
             Joint joint =
@@ -101,7 +95,7 @@ final class SpringJoints {
     }
 
     private static void swing(Trial trial, Kind kind, double mass, double hertz, double ratio) {
-        WatchedPool pool = JointCase.space(trial).withEnergyOfItsOwn();
+        WatchedPool pool = trial.jointedSpace().withEnergyOfItsOwn();
         Sprung sprung = Sprung.of(pool, kind, mass, new JointSpring(hertz, ratio));
         double start = 0.2;
         sprung.strain(start);
@@ -118,7 +112,7 @@ final class SpringJoints {
     }
 
     private static void recoil(Trial trial, Kind kind, double mass, double hertz, double ratio) {
-        WatchedPool pool = JointCase.space(trial);
+        WatchedPool pool = trial.jointedSpace();
         Sprung sprung = Sprung.of(pool, kind, mass, new JointSpring(hertz, ratio));
         double start = 0.2;
         sprung.strain(start);
@@ -133,9 +127,9 @@ final class SpringJoints {
     }
 
     private static void bear(Trial trial, Kind kind, double mass, double hertz, double ratio) {
-        WatchedPool pool = JointCase.earth(trial);
-        RigidBody hook = JointCase.hook(pool, 0, 0);
-        RigidBody body = pool.add(BodyDefinition.dynamic(new Circle(0.2)).at(0, -1).mass(mass));
+        WatchedPool pool = trial.jointedEarth();
+        RigidBody hook = pool.hook(0, 0);
+        RigidBody body = pool.add(Solid.disc(0.2).at(0, -1).mass(mass));
         JointSettings soft = JointSettings.NONE.spring(new JointSpring(hertz, ratio));
         double down = -Math.PI / 2;
         if (kind == Kind.WELD) {

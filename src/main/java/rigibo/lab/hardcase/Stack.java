@@ -1,8 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,42 +10,18 @@ import java.util.List;
  * Truth: N boxes on each other stand for ever at the heights i + ½; the contact below box i carries
  * (N − i)·m·g·dt in every step. Sleep is off. The load's limits are those of a single box.
  */
-final class Stack implements HardCase {
+record Stack(int count) implements Scenes {
 
     private static final double HORIZON = 60;
     private static final double MILLIMETRE = 1e-3;
     private static final int STEPS_WEIGHED = 60;
 
-    private final int count;
-
-    Stack(int count) {
-        this.count = count;
-    }
-
-    @Override
-    public String row() {
-        return "20/" + count;
-    }
-
-    @Override
-    public String title() {
-        return "a stack of " + count + " boxes stands upright";
-    }
-
-    /** Fifty boxes are promised from FINE on. */
-    @Override
-    public Preset fastest() {
-        return count > 20 ? Preset.FINE : Preset.DRAFT;
-    }
-
     @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
+        WatchedPool pool = trial.earth();
         List<RigidBody> bodies = new ArrayList<>();
-        bodies.add(pool.add(Surroundings.floor(0.5, 0)));
-        for (int i = 0; i < count; i++) {
-            bodies.add(pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, i + 0.5)));
-        }
+        bodies.add(pool.add(Earth.floor(0.5, 0)));
+        bodies.addAll(pool.stack(count));
         pool.run(HORIZON - STEPS_WEIGHED * Trial.DT);
         double[] load = new double[count];
         for (int step = 0; step < STEPS_WEIGHED; step++) {
@@ -82,5 +57,22 @@ final class Stack implements HardCase {
     private static void report(Trial trial, double lean, double y, int i) {
         trial.report("lean", lean, "m");
         trial.require("every box is on its own storey", y > i - 1 && lean < 0.5);
+    }
+
+    /** Truth: what stands for a minute stands for an hour; nothing drifts and nothing grows. */
+    static void standForAnHour(Trial trial) {
+        WatchedPool pool = trial.ground(0.5, 0);
+        List<RigidBody> boxes = pool.stack(20);
+        new Hour(trial, pool).run(() -> judgeHour(trial, boxes));
+        double limit = 2 * Trial.TOLERATED_OVERLAP;
+        trial.measure("overlap after an hour", pool.overlapNow(), "width", limit, 6e-3);
+    }
+
+    private static void judgeHour(Trial trial, List<RigidBody> boxes) {
+        for (int i = 0; i < boxes.size(); i++) {
+            RigidBody box = boxes.get(i);
+            trial.measure("lean", Math.abs(box.x()), "m", 5 * MILLIMETRE);
+            trial.measure("sinking", Math.abs(box.y() - i - 0.5) / (i + 1), "m a box", 6e-3);
+        }
     }
 }

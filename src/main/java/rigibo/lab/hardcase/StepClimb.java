@@ -1,9 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -14,7 +12,7 @@ import java.util.SplittableRandom;
  * turns about the corner, ¾·m·v² against m·g·h: it climbs when v > √(4gh/3)/(1 − 2h/3r), and goes
  * on above at √(v′² − 4gh/3).
  */
-final class StepClimb implements HardCase {
+final class StepClimb implements Scenes {
 
     private static final List<Double> FEW = List.of(0.07, 0.21);
     private static final List<Double> ALL = List.of(0.02, 0.05, 0.07, 0.1, 0.13, 0.17, 0.21, 0.245);
@@ -26,21 +24,6 @@ final class StepClimb implements HardCase {
 
     /** Fast enough to be no question, slow enough that the disc does not leave the corner. */
     private static final double SURE = 1.25;
-
-    @Override
-    public String row() {
-        return "M5";
-    }
-
-    @Override
-    public String title() {
-        return "a rolling disc climbs a step if it is fast enough, and only then";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -93,19 +76,14 @@ final class StepClimb implements HardCase {
 
         /** The disc when it has turned back, rolls on above the step, or time is up. */
         private RigidBody after(Trial trial, double speed) {
-            WatchedPool pool = trial.pool(Surroundings.earth()).withOverlapOfItsOwn();
-            pool.add(Surroundings.floor(FRICTION, 0));
-            pool.add(
-                    BodyDefinition.fixed(Polygon.box(100, 2))
-                            .at(50, height - 1)
-                            .material(Surroundings.matter(FRICTION, 0)));
+            WatchedPool pool = trial.ground(FRICTION, 0).withOverlapOfItsOwn();
+            pool.add(Solid.fixed(100, 2, FRICTION, 0).at(50, height - 1));
             RigidBody disc =
                     pool.add(
-                            BodyDefinition.dynamic(new Circle(radius))
+                            Solid.disc(radius, FRICTION, 0)
                                     .at(-away, radius)
                                     .velocity(speed, 0)
-                                    .spin(-speed / radius)
-                                    .material(Surroundings.matter(FRICTION, 0)));
+                                    .spin(-speed / radius));
             double horizon = PATIENCE + away / speed;
             while (pool.time() < horizon && disc.x() > -away - radius && disc.x() < 1.5 * radius) {
                 pool.step();

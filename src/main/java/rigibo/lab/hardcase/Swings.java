@@ -3,10 +3,9 @@ package rigibo.lab.hardcase;
 import rigibo.backend.DistanceJoint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Pendulum;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -36,43 +35,26 @@ final class Swings {
 
     private Swings() {}
 
-    static HardCase pendulum() {
-        String title = "a pendulum swings at its period and keeps its energy";
-        return new JointCase("J1", title, Swings::pendulums);
-    }
-
-    static HardCase physicalPendulum() {
-        String title = "a box swings on a hinge at its period and keeps its energy";
-        return new JointCase("J2", title, Swings::boxes);
-    }
-
-    static HardCase doublePendulum() {
-        String title = "a double pendulum keeps its energy and goes its way";
-        return new JointCase("J3", title, Swings::doublePendulums);
-    }
-
-    private static void pendulums(Trial trial) {
+    static void pendulums(Trial trial) {
         int i = 0;
         for (double degrees : DEGREES) {
             for (boolean isRod : new boolean[] {false, true}) {
                 double radius = 0.02 + 0.3 * trial.sampling().random(i++).nextDouble();
                 trial.variant(degrees + "°, " + (isRod ? "rod" : "hinge") + ", r " + radius);
-                BodyDefinition bob = BodyDefinition.dynamic(new Circle(radius));
+                BodyDefinition bob = Solid.disc(radius);
                 new Swing(bob, 1, 0, Math.toRadians(degrees), isRod).watch(trial, 100);
             }
         }
     }
 
-    private static void boxes(Trial trial) {
-        int count = trial.sampling().count(4, 40);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+    static void boxes(Trial trial) {
+        for (SplittableRandom random : trial.sampling().draws(4, 40)) {
             double width = 0.1 + random.nextDouble();
             double height = 0.1 + random.nextDouble();
             double d = (0.1 + 2 * random.nextDouble()) * Math.hypot(width, height) / 2;
             double amplitude = Math.toRadians(5 + 170 * random.nextDouble());
             trial.variant(width + " × " + height + " m, d " + d + ", " + amplitude + " rad");
-            BodyDefinition box = BodyDefinition.dynamic(Polygon.box(width, height));
+            BodyDefinition box = Solid.box(width, height);
             new Swing(box, d, 7 * random.nextDouble(), amplitude, false).watch(trial, 30);
         }
     }
@@ -88,8 +70,8 @@ final class Swings {
             BodyDefinition body, double d, double towards, double amplitude, boolean isRod) {
 
         void watch(Trial trial, int swings) {
-            WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
-            RigidBody hook = JointCase.hook(pool, 0, 0);
+            WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
+            RigidBody hook = pool.hook(0, 0);
             double x = d * Math.sin(amplitude);
             double y = -d * Math.cos(amplitude);
             RigidBody bob = pool.add(body.at(x, y).angle(amplitude + Math.PI / 2 - towards));
@@ -112,7 +94,7 @@ final class Swings {
                 }
                 pool.step();
                 trend.add(pool.time(), pool.energy());
-                JointCase.measureErrors(trial, pool);
+                pool.measureJoints();
                 double next = Math.atan2(bob.x(), -bob.y());
                 if (angle * next < 0) {
                     double share = Pendulum.crossing(angle, rate, next, rate(bob));
@@ -168,10 +150,8 @@ final class Swings {
         }
     }
 
-    private static void doublePendulums(Trial trial) {
-        int count = trial.sampling().count(3, 20);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+    static void doublePendulums(Trial trial) {
+        for (SplittableRandom random : trial.sampling().draws(3, 20)) {
             double upper = 0.4 + random.nextDouble();
             double lower = 0.4 + random.nextDouble();
             double wild = (random.nextDouble() - 0.5) * 6;
@@ -184,7 +164,7 @@ final class Swings {
     }
 
     private static void energyOf(Trial trial, double upper, double lower, double angle) {
-        WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
+        WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
         hang(pool, upper, lower, angle);
         double hanging = hanging(pool, upper, lower);
         double start = pool.energy();
@@ -192,7 +172,7 @@ final class Swings {
         while (pool.time() < 10) {
             pool.step();
             trend.add(pool.time(), pool.energy());
-            JointCase.measureErrors(trial, pool);
+            pool.measureJoints();
         }
         trial.measure("energy", trend.worst, "of its own", ENERGY);
     }
@@ -207,7 +187,7 @@ final class Swings {
     private static void wayOf(Trial trial, double upper, double lower, double angle) {
         double[][] ends = new double[STEPS_PER_SECOND.length][];
         for (int i = 0; i < ends.length; i++) {
-            WatchedPool pool = JointCase.earth(trial).withEnergyOfItsOwn();
+            WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
             RigidBody end = hang(pool, upper, lower, angle);
             int between = STEPS_PER_SECOND[i] / STEPS_PER_SECOND[0];
             ends[i] = new double[4 * STEPS_PER_SECOND[0]];
@@ -219,7 +199,7 @@ final class Swings {
                 ends[i][look + 1] = end.y();
             }
         }
-        trial.measure("way", apart(ends[2], ends[3]), "m", JointCase.PLACE);
+        trial.measure("way", apart(ends[2], ends[3]), "m", JointLimits.PLACE);
         double coarse = apart(ends[0], ends[1]);
         double fine = apart(ends[1], ends[2]);
         double order = fine < SOLVED ? 2 : Math.log(coarse / fine) / Math.log(2);
@@ -237,24 +217,14 @@ final class Swings {
 
     /** Two bars, the lower one bent back by a third of the angle; answers the lower one. */
     private static RigidBody hang(WatchedPool pool, double upper, double lower, double angle) {
-        RigidBody hook = JointCase.hook(pool, 0, 0);
+        RigidBody hook = pool.hook(0, 0);
         double knee = angle * 2 / 3;
         double x = upper * Math.sin(angle);
         double y = -upper * Math.cos(angle);
-        RigidBody first =
-                pool.add(
-                        BodyDefinition.dynamic(Polygon.box(0.1, upper))
-                                .at(x / 2, y / 2)
-                                .angle(angle)
-                                .group(1));
+        RigidBody first = pool.add(Solid.box(0.1, upper).at(x / 2, y / 2).angle(angle).group(1));
         double endX = x + lower / 2 * Math.sin(knee);
         double endY = y - lower / 2 * Math.cos(knee);
-        RigidBody second =
-                pool.add(
-                        BodyDefinition.dynamic(Polygon.box(0.08, lower))
-                                .at(endX, endY)
-                                .angle(knee)
-                                .group(1));
+        RigidBody second = pool.add(Solid.box(0.08, lower).at(endX, endY).angle(knee).group(1));
         pool.join(RevoluteJoint.at(hook, first, 0, 0));
         pool.join(RevoluteJoint.at(first, second, x, y));
         return second;

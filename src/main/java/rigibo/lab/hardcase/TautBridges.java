@@ -7,6 +7,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -33,7 +34,7 @@ final class TautBridges {
     private static final double ABOVE = 8;
 
     private static final double HORIZON = 3;
-    private static final Material STUFF = Surroundings.matter(0.5, 0);
+    private static final Material STUFF = Solid.matter(0.5, 0);
 
     private final WatchedPool pool;
     private final int planks;
@@ -46,25 +47,14 @@ final class TautBridges {
         this.y = y;
     }
 
-    static HardCase loaded() {
-        String title = "a bridge as long as its span stays closed under what falls on it";
-        String finding =
-                "A row as long as its span sags by the square root of what its hinges come apart"
-                        + " by. Where they are closed again, by micrometres, the row rises by"
-                        + " millimetres, and nothing pays for its height.";
-        return new JointCase("J12/taut", title, Preset.DRAFT, TautBridges::fallOnAll, finding);
-    }
-
-    private static void fallOnAll(Trial trial) {
-        int count = trial.sampling().count(3, 15);
+    static void fallOnAll(Trial trial) {
         int most = trial.sampling().count(2, 5);
-        for (int i = 0; i < count; i++) {
-            SplittableRandom random = trial.sampling().random(i);
+        for (SplittableRandom random : trial.sampling().draws(3, 15)) {
             int bridges = 1 + random.nextInt(most);
             int planks = 10 + random.nextInt(51);
             double heavier = Math.pow(10, 2 * random.nextDouble() - 1);
             trial.variant(bridges + " of " + planks + " planks under " + heavier + " of one each");
-            WatchedPool pool = JointCase.earth(trial).withOverlapOfItsOwn();
+            WatchedPool pool = trial.jointedEarth().withOverlapOfItsOwn();
             List<TautBridges> all = new ArrayList<>();
             for (int k = 0; k < bridges; k++) {
                 TautBridges bridge = new TautBridges(pool, planks, k * ABOVE);
@@ -86,18 +76,15 @@ final class TautBridges {
     }
 
     private void lay() {
-        RigidBody before = JointCase.hook(pool, 0, y);
+        RigidBody before = pool.hook(0, y);
         for (int i = 0; i < planks; i++) {
             RigidBody plank =
-                    pool.add(
-                            BodyDefinition.dynamic(Polygon.box(PLANK, HEIGHT))
-                                    .at((i + 0.5) * PLANK, y)
-                                    .material(STUFF));
+                    pool.add(Solid.box(PLANK, HEIGHT).at((i + 0.5) * PLANK, y).material(STUFF));
             pool.join(RevoluteJoint.at(before, plank, i * PLANK, y));
             row.add(plank);
             before = plank;
         }
-        RigidBody end = JointCase.hook(pool, length(), y);
+        RigidBody end = pool.hook(length(), y);
         pool.join(RevoluteJoint.at(before, end, length(), y));
     }
 

@@ -1,29 +1,19 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Bounces;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * Boxes dropped flat from 2 m. Truth: with e = 1 the box returns to its height for ever, here forty
  * times; with e = ½ it stops after T = t1(1 + e)/(1 − e); with e = 0 it stays where it lands. The
  * limit for an apex is that of ten bounces for every ten.
  */
-final class ThreeElasticities implements HardCase {
+final class ThreeElasticities implements Scenes {
 
     private static final double HEIGHT = 2;
     private static final int BOUNCES = 40;
-
-    @Override
-    public String row() {
-        return "origin/elasticity";
-    }
-
-    @Override
-    public String title() {
-        return "elasticity 1 never stops, one half stops in the end, 0 stays where it lands";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -36,15 +26,12 @@ final class ThreeElasticities implements HardCase {
     }
 
     private static RigidBody drop(WatchedPool pool, double e) {
-        pool.add(Surroundings.floor(0.5, e));
-        return pool.add(
-                BodyDefinition.dynamic(Polygon.box(1, 1))
-                        .at(0, 0.5 + HEIGHT)
-                        .material(Surroundings.matter(0.5, e)));
+        pool.add(Earth.floor(0.5, e));
+        return pool.add(Solid.box(1, 1, 0.5, e).at(0, 0.5 + HEIGHT));
     }
 
     private static void bounceOn(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
+        WatchedPool pool = trial.earth();
         RigidBody box = drop(pool, 1);
         Bounces truth = new Bounces(HEIGHT, 1);
         double tens = BOUNCES / 10.0;
@@ -56,7 +43,7 @@ final class ThreeElasticities implements HardCase {
     }
 
     private static void stop(Trial trial, double e) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
+        WatchedPool pool = trial.earth();
         RigidBody box = drop(pool, e);
         Bounces truth = new Bounces(HEIGHT, e);
         pool.run(truth.restTime() + 2 * Trial.DT);

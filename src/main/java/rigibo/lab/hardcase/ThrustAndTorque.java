@@ -4,29 +4,18 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Thrust;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth for a torque τ and a force F with the constant lever r: ω = τt/I, θ = τt²/2I, v = Ft/m, ω =
  * (r × F)t/I. Box of 1 × 2 at density 1: m = 2, I = m(w² + h²)/12 = 5/6.
  */
-final class ThrustAndTorque implements HardCase {
+final class ThrustAndTorque implements Scenes {
 
     private static final double MASS = 2;
     private static final double INERTIA = 5.0 / 6;
     private static final double HORIZON = 2;
     private static final double LIMIT = 1e-12;
-
-    @Override
-    public String row() {
-        return "5";
-    }
-
-    @Override
-    public String title() {
-        return "torque and thrust accelerate as Newton says";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -37,7 +26,7 @@ final class ThrustAndTorque implements HardCase {
     }
 
     private static RigidBody box(WatchedPool pool) {
-        return pool.add(BodyDefinition.dynamic(Polygon.box(1, 2)));
+        return pool.add(Solid.box(1, 2));
     }
 
     private static void turn(Trial trial, double torque) {

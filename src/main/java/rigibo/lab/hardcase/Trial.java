@@ -1,6 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Earth;
 
@@ -91,6 +92,35 @@ public final class Trial {
     /** A pool at this trial's preset, watched from now on. */
     WatchedPool pool(Effects effects) {
         return new WatchedPool(this, variant, effects);
+    }
+
+    /**
+     * A pool with weight and without sleep: what only rests because it is put to sleep does not.
+     */
+    WatchedPool earth() {
+        return pool(Earth.effects());
+    }
+
+    /** A pool with weight and a floor of this friction and elasticity, whose surface is y = 0. */
+    WatchedPool ground(double friction, double elasticity) {
+        WatchedPool pool = earth();
+        pool.add(Earth.floor(friction, elasticity));
+        return pool;
+    }
+
+    /** A pool without weight. */
+    WatchedPool space() {
+        return pool(Earth.space());
+    }
+
+    /** A pool of joints with weight. */
+    WatchedPool jointedEarth() {
+        return pool(Earth.effects().with(new Joints()));
+    }
+
+    /** A pool of joints without weight. */
+    WatchedPool jointedSpace() {
+        return pool(Earth.space().with(new Joints()));
     }
 
     /** Keeps a figure with a limit for EXACT and one for all others that are held to one. */

@@ -1,8 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * A rod of 2 × 0.2 at (½, 0) and −40° turns by 80° in one step; the corner (0, ¼) of a plate is in
@@ -11,7 +10,7 @@ import rigibo.backend.setup.BodyDefinition;
  * rn = r × n gives ω′ = ω(1 − 2rn²/(I/m + rn²)), and the angle at the end tells when the rod was
  * struck.
  */
-final class TurningRod implements HardCase {
+final class TurningRod implements Scenes {
 
     private static final double START = Math.toRadians(-40);
     private static final double SPIN = Math.toRadians(80) / Trial.DT;
@@ -19,35 +18,10 @@ final class TurningRod implements HardCase {
     private static final double INERTIA_PER_MASS = (2 * 2 + 0.2 * 0.2) / 12;
 
     @Override
-    public String row() {
-        return "42";
-    }
-
-    @Override
-    public String title() {
-        return "a rod that only turns is stopped by a corner in its way";
-    }
-
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
     public void run(Trial trial) {
-        WatchedPool pool = trial.pool(Surroundings.space());
-        pool.add(
-                BodyDefinition.fixed(Polygon.box(10, 0.5))
-                        .at(-5, 0)
-                        .material(Surroundings.matter(0, 1)));
-        RigidBody rod =
-                pool.add(
-                        BodyDefinition.dynamic(Polygon.box(2, 0.2))
-                                .at(0.5, 0)
-                                .angle(START)
-                                .spin(SPIN)
-                                .material(Surroundings.matter(0, 1)));
+        WatchedPool pool = trial.space();
+        pool.add(Solid.fixed(10, 0.5, 0, 1).at(-5, 0));
+        RigidBody rod = pool.add(Solid.box(2, 0.2, 0, 1).at(0.5, 0).angle(START).spin(SPIN));
         pool.step();
         // The corner relative to the rod's centre, and the lower face's inward normal.
         double lever = -0.5 * Math.cos(TOUCH) + 0.25 * Math.sin(TOUCH);

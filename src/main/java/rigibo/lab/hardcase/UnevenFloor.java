@@ -2,8 +2,9 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Gravity;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * A box across the gap of 1 mm between two floor boxes, level and with gravity tipped by 5° (below
@@ -11,21 +12,11 @@ import rigibo.backend.setup.BodyDefinition;
  * corner and on the step's edge: with its centre 0.1 m left of the edge the span is 0.6 m, and its
  * tilt is atan(step/span) but for the corner's own height, which is of second order.
  */
-final class UnevenFloor implements HardCase {
+final class UnevenFloor implements Scenes {
 
     private static final double STEP = 5e-4;
     private static final double SPAN = 0.6;
     private static final double HORIZON = 10;
-
-    @Override
-    public String row() {
-        return "23";
-    }
-
-    @Override
-    public String title() {
-        return "a box rests across a gap and across a step";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -40,13 +31,12 @@ final class UnevenFloor implements HardCase {
     private static void bridge(Trial trial, double tip, double gap, double step, double tilt) {
         double gx = -Trial.GRAVITY * Math.sin(tip);
         double gy = -Trial.GRAVITY * Math.cos(tip);
-        WatchedPool pool = trial.pool(Surroundings.earth().with(new Gravity(gx, gy)));
-        BodyDefinition slab = BodyDefinition.fixed(Polygon.box(4, 1));
+        WatchedPool pool = trial.pool(Earth.effects().with(new Gravity(gx, gy)));
+        BodyDefinition slab = Solid.fixed(4, 1);
         pool.add(slab.at(-2 - gap / 2, -0.5));
         pool.add(slab.at(2 + gap / 2, -0.5 + step));
         double x = step > 0 ? 0.5 - SPAN : 0;
-        RigidBody box =
-                pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(x, 0.5 + step).angle(tilt));
+        RigidBody box = pool.add(Solid.box(1, 1).at(x, 0.5 + step).angle(tilt));
         pool.run(1);
         double path = 0;
         while (pool.time() < HORIZON + 1) {

@@ -1,8 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,23 +12,13 @@ import java.util.SplittableRandom;
  * above what they stand on, e = 0. Truth: every centre is far inside every support below it, so the
  * stack stands where it was set down; from the tenth second on it neither leans nor creeps.
  */
-final class UntidyStack implements HardCase {
+final class UntidyStack implements Scenes {
 
     private static final double SIDEWAYS = 5e-3;
     private static final double ABOVE = 1e-3;
     private static final double SETTLED = 10;
     private static final double HORIZON = 60;
     private static final double MOST_LEAN = 2e-3;
-
-    @Override
-    public String row() {
-        return "20/untidy";
-    }
-
-    @Override
-    public String title() {
-        return "a stack set down carelessly stands";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -43,14 +32,13 @@ final class UntidyStack implements HardCase {
     }
 
     private static void stand(Trial trial, SplittableRandom random, int count) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(0.5, 0));
+        WatchedPool pool = trial.ground(0.5, 0);
         List<RigidBody> boxes = new ArrayList<>();
         double y = -0.5;
         for (int i = 0; i < count; i++) {
             double x = SIDEWAYS * (2 * random.nextDouble() - 1);
             y += 1 + ABOVE * random.nextDouble();
-            boxes.add(pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(x, y)));
+            boxes.add(pool.add(Solid.box(1, 1).at(x, y)));
         }
         double[] start = boxes.stream().mapToDouble(RigidBody::x).toArray();
         pool.run(SETTLED);

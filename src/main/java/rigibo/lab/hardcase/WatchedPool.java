@@ -19,11 +19,16 @@ import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
+import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
+import rigibo.backend.setup.Filter;
+import rigibo.lab.child.ThreadUse;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 import java.util.function.DoubleSupplier;
+import java.util.stream.IntStream;
 
 /** A pool whose every step is held to what is true in every case. */
 final class WatchedPool {
@@ -88,6 +93,18 @@ final class WatchedPool {
         return pool.join(definition);
     }
 
+    /** Something fixed to hang other things on, which meets nobody. */
+    RigidBody hook(double x, double y) {
+        return add(BodyDefinition.fixed(new Circle(0.01)).at(x, y).filter(Filter.ALL.mask(0)));
+    }
+
+    /** Boxes of 1 m on each other, the lowest on the floor, from there upwards. */
+    List<RigidBody> stack(int count) {
+        return IntStream.range(0, count)
+                .mapToObj(i -> add(Solid.box(1, 1).at(0, i + 0.5)))
+                .toList();
+    }
+
     /** For scenes whose limit of energy is their own, as that of a swing. */
     WatchedPool withEnergyOfItsOwn() {
         isEnergyKept = false;
@@ -97,6 +114,11 @@ final class WatchedPool {
     /** Most that the joints are off from what they hold now, m. */
     double jointError() {
         return pool.joints().stream().mapToDouble(Joint::error).max().orElse(0);
+    }
+
+    /** Keeps by how much all joints are off now. */
+    void measureJoints() {
+        trial.measure("error of joints", jointError(), "m", JointLimits.ERROR);
     }
 
     /** Of motion, height and springs, J. */
@@ -162,9 +184,9 @@ final class WatchedPool {
         if (guard == null && (isEnergyKept || isWorkKnown)) {
             guard = new EnergyGuard(pool.bodies(), gravity, springs());
         }
-        long before = Heap.allocated();
+        long before = ThreadUse.bytes();
         StepReport report = pool.step(dt);
-        allocated += Heap.allocated() - before;
+        allocated += ThreadUse.bytes() - before;
         steps++;
         trial.work().add(report);
         watch(dt);

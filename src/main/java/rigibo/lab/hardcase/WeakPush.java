@@ -8,6 +8,8 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -15,35 +17,13 @@ import java.util.List;
  * A weak push on a smooth floor. Truth: without friction nothing opposes it, so v = a·t however
  * small a is, and whatever its neighbour weighs: no body's calm is judged by another's loads.
  */
-final class WeakPush implements HardCase {
+final class WeakPush implements Scenes {
 
     private static final double HORIZON = 5;
     private static final double HEAVY = 1e6;
     private static final Limits MOST_OFF = Limits.of(1e-3, 1e-6);
 
-    private static final BodyDefinition BOX =
-            BodyDefinition.dynamic(Polygon.box(1, 1)).material(Surroundings.matter(0, 0));
-
-    @Override
-    public String row() {
-        return "M12";
-    }
-
-    @Override
-    public String title() {
-        return "a weak push moves what nothing holds, whatever lies beside it";
-    }
-
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
-
-    @Override
-    public String finding() {
-        return "Below the round-off of what its own contacts carry nothing tells a push"
-                + " from rest.";
-    }
+    private static final BodyDefinition BOX = Solid.box(1, 1, 0, 0);
 
     @Override
     public void run(Trial trial) {
@@ -62,28 +42,20 @@ final class WeakPush implements HardCase {
     }
 
     private static void sideways(Trial trial, Shape shape, double push) {
-        Effects effects = Surroundings.earth().with(new Gravity(push, -Trial.GRAVITY));
+        Effects effects = Earth.effects().with(new Gravity(push, -Trial.GRAVITY));
         WatchedPool pool = trial.pool(effects);
-        pool.add(Surroundings.floor(0, 0));
-        RigidBody body =
-                pool.add(
-                        BodyDefinition.dynamic(shape)
-                                .at(0, 0.5)
-                                .material(Surroundings.matter(0, 0)));
+        pool.add(Earth.floor(0, 0));
+        RigidBody body = pool.add(Solid.of(shape, 0, 0).at(0, 0.5));
         pool.run(HORIZON);
         trial.measure("speed", off(body, push), "of a·t", MOST_OFF);
     }
 
     /** Touching a body of a million times its weight, on a raft of some height or on the floor. */
     private static void beside(Trial trial, double push, double raft) {
-        WatchedPool pool =
-                trial.pool(Surroundings.earth().with(new Thrust())).withOverlapOfItsOwn();
-        pool.add(Surroundings.floor(0, 0));
+        WatchedPool pool = trial.pool(Earth.effects().with(new Thrust())).withOverlapOfItsOwn();
+        pool.add(Earth.floor(0, 0));
         if (raft > 0) {
-            pool.add(
-                    BodyDefinition.dynamic(Polygon.box(8, raft))
-                            .at(0, raft / 2)
-                            .material(Surroundings.matter(0, 0)));
+            pool.add(Solid.box(8, raft, 0, 0).at(0, raft / 2));
         }
         double y = raft + 0.5;
         pool.add(BOX.at(-0.5, y).gravityScale(HEAVY));

@@ -1,29 +1,18 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: a smooth disc between two faces, each at the angle a from the vertical, is held by N =
  * mg/(2 sin a) at each: 5.74 mg at 5°, 14.3 mg at 2°.
  */
-final class Wedge implements HardCase {
+final class Wedge implements Scenes {
 
     private static final double RADIUS = 0.5;
     private static final double LENGTH = 40;
     private static final int STEPS_WEIGHED = 60;
-
-    @Override
-    public String row() {
-        return "32";
-    }
-
-    @Override
-    public String title() {
-        return "a disc in a narrow wedge presses both faces as statics says";
-    }
 
     @Override
     public void run(Trial trial) {
@@ -34,14 +23,10 @@ final class Wedge implements HardCase {
     }
 
     private static void hold(Trial trial, double a) {
-        WatchedPool pool = trial.pool(Surroundings.earth());
+        WatchedPool pool = trial.earth();
         RigidBody right = pool.add(face(a, 1));
         RigidBody left = pool.add(face(a, -1));
-        RigidBody disc =
-                pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
-                                .at(0, RADIUS / Math.sin(a))
-                                .material(Surroundings.matter(0, 0)));
+        RigidBody disc = pool.add(Solid.disc(RADIUS, 0, 0).at(0, RADIUS / Math.sin(a)));
         pool.run(2);
         double onRight = 0;
         double onLeft = 0;
@@ -64,9 +49,8 @@ final class Wedge implements HardCase {
         double alongY = Math.cos(a);
         double outX = side * Math.cos(a);
         double outY = -Math.sin(a);
-        return BodyDefinition.fixed(Polygon.box(LENGTH, 2))
+        return Solid.fixed(LENGTH, 2, 0, 0)
                 .at(alongX * LENGTH / 2 + outX, alongY * LENGTH / 2 + outY)
-                .angle(Math.atan2(alongY, alongX))
-                .material(Surroundings.matter(0, 0));
+                .angle(Math.atan2(alongY, alongX));
     }
 }

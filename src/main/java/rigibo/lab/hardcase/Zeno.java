@@ -1,16 +1,15 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Bounces;
+import rigibo.lab.truth.Solid;
 
 /**
  * Truth: infinitely many bounces are over at T = t1(1 + e)/(1 − e), 5.747 s for H = 2 and e = 0.8.
  * Steps show only in which of them the ball came to rest; the error counted is the distance of T
  * from that step, and 25 phases of T within a step make it an error in time.
  */
-final class Zeno implements HardCase {
+final class Zeno implements Scenes {
 
     private static final double RADIUS = 0.25;
     private static final double HEIGHT = 2;
@@ -18,22 +17,6 @@ final class Zeno implements HardCase {
 
     /** A rebound of 0.1 mm/s, with e = 0.8, leaves 0.1 ms of bounces: no motion to speak of. */
     private static final double NO_SPEED = 1e-4;
-
-    @Override
-    public String row() {
-        return "49";
-    }
-
-    @Override
-    public String title() {
-        return "a bouncing ball comes to rest after infinitely many bounces, in time";
-    }
-
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
-    @Override
-    public Preset limitedFrom() {
-        return Preset.GAME;
-    }
 
     @Override
     public void run(Trial trial) {
@@ -51,14 +34,12 @@ final class Zeno implements HardCase {
         double stretch = (1 + e) / (1 - e);
         double fall = Math.sqrt(2 * HEIGHT / Trial.GRAVITY) + phase * Trial.DT / PHASES / stretch;
         Bounces truth = new Bounces(Bounces.heightOfFall(fall), e);
-        WatchedPool pool = trial.pool(Surroundings.earth());
-        pool.add(Surroundings.floor(0, e));
+        WatchedPool pool = trial.ground(0, e);
         RigidBody ball =
                 pool.add(
-                        BodyDefinition.dynamic(new Circle(RADIUS))
+                        Solid.disc(RADIUS, 0, e)
                                 .at(0, RADIUS + Bounces.heightOfFall(fall))
-                                .velocity(vx, 0)
-                                .material(Surroundings.matter(0, e)));
+                                .velocity(vx, 0));
         double lastMotion = 0;
         while (pool.time() < truth.restTime() + 1) {
             int impacts = pool.step().impacts();

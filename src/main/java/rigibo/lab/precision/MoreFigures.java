@@ -1,12 +1,9 @@
 package rigibo.lab.precision;
 
+import rigibo.lab.bench.crowd.CrowdFigure;
+import rigibo.lab.bench.crowd.CrowdPoint;
+import rigibo.lab.bench.crowd.Crowds;
 import rigibo.lab.child.Kept;
-import rigibo.lab.crowd.CrowdFigure;
-import rigibo.lab.crowd.CrowdPoint;
-import rigibo.lab.crowd.Crowds;
-import rigibo.lab.energy.BouncingBall;
-import rigibo.lab.energy.EnergyFigure;
-import rigibo.lab.energy.EnergyTrace;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.Line;
@@ -17,11 +14,13 @@ import rigibo.lab.hardcase.MarginFigure;
 import rigibo.lab.hardcase.Margins;
 import rigibo.lab.hardcase.Preset;
 import rigibo.lab.hardcase.Sampling;
+import rigibo.lab.plot.Drawing;
 import rigibo.lab.report.Section;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.DoubleFunction;
 
 /** The figures beside those of single problems; only in a report of all problems. */
 final class MoreFigures {
@@ -62,41 +61,33 @@ final class MoreFigures {
                 others.add(BouncingBall.trace(engine, settings.get(0)));
             }
         }
-        EnergyFigure wide = new EnergyFigure(ours, others, FigureSize.WIDE.width());
-        EnergyFigure narrow = new EnergyFigure(ours, others, FigureSize.NARROW.width());
-        return new Section(
-                "energy",
-                "Energy over time",
-                wide.sentences(),
-                List.of(wide.drawing(), narrow.drawing()),
-                List.of());
+        EnergyFigure figure = new EnergyFigure(ours, others);
+        return section("energy", "Energy over time", figure.sentences(), figure::drawing);
     }
 
     private Section crowd() {
         tell.accept("floods of every size");
         boolean isFull = inquiry.extent() == Extent.FULL;
         List<CrowdPoint> points = (isFull ? Crowds.full() : Crowds.quick()).pour(kept, tell);
-        CrowdFigure wide = new CrowdFigure(points, FigureSize.WIDE.width());
-        CrowdFigure narrow = new CrowdFigure(points, FigureSize.NARROW.width());
-        return new Section(
-                "bodies",
-                "Bodies against step time",
-                wide.sentences(),
-                List.of(wide.drawing(), narrow.drawing()),
-                List.of());
+        CrowdFigure figure = new CrowdFigure(points);
+        return section("bodies", "Bodies against step time", figure.sentences(), figure::drawing);
     }
 
     private Section margins() {
         tell.accept("hard cases");
         Cases cases = new Cases(List.of(), List.of(Preset.values()), Sampling.USUAL);
         List<Margin> margins = Margins.of(cases, inquiry.out()).find(tell);
-        MarginFigure wide = new MarginFigure(margins, FigureSize.WIDE.width());
-        MarginFigure narrow = new MarginFigure(margins, FigureSize.NARROW.width());
-        return new Section(
-                "cases",
-                "Hard cases",
-                wide.sentences(),
-                List.of(wide.drawing(), narrow.drawing()),
-                List.of());
+        MarginFigure figure = new MarginFigure(margins);
+        return section("cases", "Hard cases", figure.sentences(), figure::drawing);
+    }
+
+    /** With the figure by its width, px. */
+    private static Section section(
+            String name, String title, List<String> sentences, DoubleFunction<Drawing> figure) {
+        List<Drawing> drawings =
+                List.of(
+                        figure.apply(FigureSize.WIDE.width()),
+                        figure.apply(FigureSize.NARROW.width()));
+        return new Section(name, title, sentences, drawings, List.of());
     }
 }

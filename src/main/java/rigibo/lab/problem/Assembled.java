@@ -6,7 +6,6 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.Line;
@@ -15,6 +14,7 @@ import rigibo.lab.engine.LinkErrors;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Earth;
 import rigibo.lab.truth.Pendulum;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -24,7 +24,7 @@ import java.util.List;
  * period of {@link Pendulum}; links that carry a load neither stretch nor gain energy; a mass hangs
  * on a spring at mg/k and swings about it as a cosine in its envelope.
  */
-final class Assembled implements Problem {
+final class Assembled {
 
     private static final List<Line> KNOBS = List.of(Line.STEP, Line.SUBSTEPS);
 
@@ -42,83 +42,39 @@ final class Assembled implements Problem {
     /** Speed at the start by frequency, m: the amplitude is 2π times less. */
     private static final double AWAY = 0.2;
 
-    /** What is set, and run. */
-    private interface Setup {
-        Trial set(Bench bench);
-    }
-
-    private final String id;
-    private final String title;
-    private final String error;
-    private final double equalBelow;
-    private final Setup setup;
-
-    private Assembled(String id, String title, String error, double equalBelow, Setup setup) {
-        this.id = id;
-        this.title = title;
-        this.error = error;
-        this.equalBelow = equalBelow;
-        this.setup = setup;
-    }
+    private Assembled() {}
 
     /** The limits of row J1 for EXACT: 1e-6 of a period, in 100 of them. */
     static Problem pendulum() {
-        return new Assembled(
+        return new Problem(
                 "R17",
                 "a pendulum that swings 100 times from 90°",
                 "phase after 100 swings, rad",
                 2 * Math.PI * 100 * 1e-6,
+                KNOBS,
                 Assembled::swing);
     }
 
     /** The limit of row J5 for EXACT. */
     static Problem chain() {
-        return new Assembled(
+        return new Problem(
                 "R18",
                 "30 links with 10,000 times their mass at the end, let swing",
                 "stretch / length",
                 1e-6,
+                KNOBS,
                 Assembled::carry);
     }
 
     /** The limit of row J8 for EXACT. */
     static Problem springs() {
-        return new Assembled(
+        return new Problem(
                 "R19",
                 "masses on springs of 2 to 2,000 Hz",
                 "off the closed form / amplitude or sag",
                 1e-4,
+                KNOBS,
                 Assembled::spring);
-    }
-
-    @Override
-    public String id() {
-        return id;
-    }
-
-    @Override
-    public String title() {
-        return title;
-    }
-
-    @Override
-    public String error() {
-        return error;
-    }
-
-    @Override
-    public double equalBelow() {
-        return equalBelow;
-    }
-
-    @Override
-    public List<Line> lines() {
-        return KNOBS;
-    }
-
-    @Override
-    public Trial set(Bench bench) {
-        return setup.set(bench);
     }
 
     private static World build(Bench bench, Scene scene) {
@@ -129,8 +85,7 @@ final class Assembled implements Problem {
 
     private static Trial swing(Bench bench) {
         double d = 0.5;
-        BodyDefinition bar =
-                BodyDefinition.dynamic(Polygon.box(0.1, 1)).at(d, 0).angle(Math.PI / 2).group(1);
+        BodyDefinition bar = Solid.box(0.1, 1).at(d, 0).angle(Math.PI / 2).group(1);
         Scene scene = new Scene(EARTH, List.of(HOOK, bar), List.of(Link.hinge(0, 1, 0, 0)));
         World world = build(bench, scene);
         double mass = bar.massProperties().mass();
@@ -189,13 +144,12 @@ final class Assembled implements Problem {
         double dy = -length * Math.cos(angle);
         List<BodyDefinition> bodies = new ArrayList<>(List.of(HOOK));
         List<Link> joints = new ArrayList<>();
-        BodyDefinition link =
-                BodyDefinition.dynamic(Polygon.box(0.05, length)).angle(angle).mass(1).group(1);
+        BodyDefinition link = Solid.box(0.05, length).angle(angle).mass(1).group(1);
         for (int i = 0; i < links; i++) {
             bodies.add(link.at((i + 0.5) * dx, (i + 0.5) * dy));
             joints.add(Link.hinge(i, i + 1, i * dx, i * dy));
         }
-        BodyDefinition bob = BodyDefinition.dynamic(new Circle(length)).mass(1e4).group(1);
+        BodyDefinition bob = Solid.disc(length).mass(1e4).group(1);
         bodies.add(bob.at(links * dx, links * dy));
         joints.add(Link.hinge(links, links + 1, links * dx, links * dy));
         Scene scene = new Scene(EARTH, bodies, joints);
@@ -243,7 +197,7 @@ final class Assembled implements Problem {
     private static Trial spring(Bench bench) {
         List<World> swinging = new ArrayList<>();
         List<World> loaded = new ArrayList<>();
-        BodyDefinition mass = BodyDefinition.dynamic(new Circle(0.2)).mass(2).group(1);
+        BodyDefinition mass = Solid.disc(0.2).mass(2).group(1);
         for (double hertz : SOFT) {
             List<Link> joints = List.of(Link.rod(0, 0, 0, 1, 1, 0).spring(hertz, 0));
             List<BodyDefinition> bodies = List.of(HOOK, mass.at(1, 0).velocity(AWAY * hertz, 0));

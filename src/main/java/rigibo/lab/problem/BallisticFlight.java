@@ -2,10 +2,9 @@ package rigibo.lab.problem;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -14,7 +13,7 @@ import java.util.List;
  * how far from there it is, as a share of the length of its way. That is ∫√(vₓ² + (v_y + g·t)²)dt =
  * |g|·[(s·√(1 + s²) + asinh s)/2 · vₓ²/g²], s = (v_y + g·t)/vₓ.
  */
-final class BallisticFlight implements Problem {
+final class BallisticFlight {
 
     private static final double GRAVITY = -9.81;
     private static final double SECONDS = 5;
@@ -22,36 +21,22 @@ final class BallisticFlight implements Problem {
     /** The phases: m/s to the right and up. */
     private static final double[][] THROWS = {{7, 9}, {3, 24.5}, {20, 0}, {11, -6}};
 
-    @Override
-    public String id() {
-        return "R1";
+    private BallisticFlight() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R1",
+                "ballistic flight of 5 s",
+                "distance from the parabola / length of the way",
+                1e-10,
+                List.of(Line.STEP, Line.STEP_EULER, Line.STEP_VERLET, Line.STEP_RK4),
+                BallisticFlight::set);
     }
 
-    @Override
-    public String title() {
-        return "ballistic flight of 5 s";
-    }
-
-    @Override
-    public String error() {
-        return "distance from the parabola / length of the way";
-    }
-
-    @Override
-    public double equalBelow() {
-        return 1e-10;
-    }
-
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.STEP_EULER, Line.STEP_VERLET, Line.STEP_RK4);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World world = bench.world(Effects.of(new Gravity(0, GRAVITY)));
         for (double[] thrown : THROWS) {
-            world.add(BodyDefinition.dynamic(new Circle(0.1)).velocity(thrown[0], thrown[1]));
+            world.add(Solid.disc(0.1).velocity(thrown[0], thrown[1]));
         }
         return () -> fly(bench, world);
     }

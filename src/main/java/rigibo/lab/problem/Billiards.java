@@ -14,7 +14,7 @@ import java.util.List;
  * no longer follow. As long as a disc is not overtaken by the error it is late or early by so much
  * on its way, and the last second shows it, wherever in the room it is.
  */
-final class Billiards implements Problem {
+final class Billiards {
 
     private static final int BOUNCES = 1000;
     private static final double WATCHED = 1;
@@ -22,34 +22,27 @@ final class Billiards implements Problem {
     private static final List<Room> ROOMS =
             List.of(new Room(50, 38), new Room(41, 47), new Room(59, 23), new Room(31, 53));
 
-    @Override
-    public String id() {
-        return "R10";
-    }
-
-    @Override
-    public String title() {
-        return "a disc in a room, 1000 bounces";
-    }
-
-    @Override
-    public String error() {
-        return "distance from the unfolded line / width of the room";
-    }
-
     /** Row 41. */
-    @Override
-    public double equalBelow() {
-        return 1e-6;
+    private static final double EQUAL_BELOW = 1e-6;
+
+    private Billiards() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R10",
+                "a disc in a room, 1000 bounces",
+                "distance from the unfolded line / width of the room",
+                EQUAL_BELOW,
+                List.of(
+                        Line.STEP,
+                        Line.STEP_DISCRETE,
+                        Line.STEP_SPLIT,
+                        Line.TOLERANCE,
+                        Line.SEARCH),
+                Billiards::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.STEP_DISCRETE, Line.STEP_SPLIT, Line.TOLERANCE, Line.SEARCH);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World[] worlds = new World[ROOMS.size()];
         for (int i = 0; i < worlds.length; i++) {
             worlds[i] = bench.world(Earth.effects().without(Gravity.class));

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
  * two ever overlap, and all energy is that of the start and of the strikes. The phases differ a
  * little, and since every run is chaotic, the median over them counts.
  */
-final class CrowdProblem implements Problem {
+final class CrowdProblem {
 
     /** The first box of a pyramid's base, after the floor. */
     private static final int FOOT = 1;
@@ -45,117 +45,64 @@ final class CrowdProblem implements Problem {
     /** Row J15. */
     private static final double JOINT_ERROR = 1e-3;
 
-    private final String id;
-    private final String title;
-    private final boolean isOfJoints;
-    private final double equalBelow;
+    private static final String OVERLAP = "deepest overlap / width";
+    private static final String JOINTS = "error of the joints, m";
+
     private final double seconds;
-    private final List<Line> lines;
+    private final String error;
     private final List<Phase> phases;
 
-    private CrowdProblem(
-            String id, String title, double equalBelow, double seconds, Stream<Phase> phases) {
-        this(id, title, equalBelow, seconds, List.of(), phases);
-    }
-
-    private CrowdProblem(
-            String id,
-            String title,
-            double equalBelow,
-            double seconds,
-            List<Line> lines,
-            Stream<Phase> phases) {
-        this.id = id;
-        this.title = title;
-        isOfJoints = equalBelow == JOINT_ERROR;
-        this.equalBelow = equalBelow;
+    private CrowdProblem(double seconds, String error, Stream<Phase> phases) {
         this.seconds = seconds;
-        this.lines = lines;
+        this.error = error;
         this.phases = phases.toList();
     }
 
+    /** Few knobs or none: turning every one takes hours. */
+    private Problem problem(String id, String title, double equalBelow, Line... lines) {
+        return new Problem(id, title, error, equalBelow, List.of(lines), this::set).ofMinutes();
+    }
+
     /** The phases are rains of other seeds. What passes and substeps buy is seen here. */
-    static CrowdProblem rain(int boxes) {
-        return new CrowdProblem(
-                "R14",
-                boxes + " boxes that rain into a trough",
-                OVERLAP_OF_400,
-                7,
-                List.of(Line.SUBSTEPS, Line.ITERATIONS),
+    static Problem rain(int boxes) {
+        Stream<Phase> rains =
                 LongStream.of(14, 15, 16)
                         .mapToObj(seed -> new Scene(Crowd.EFFECTS, Crowd.BOXES.rain(boxes, seed)))
-                        .map(Phase::new));
+                        .map(Phase::new);
+        String title = boxes + " boxes that rain into a trough";
+        return new CrowdProblem(7, OVERLAP, rains)
+                .problem("R14", title, OVERLAP_OF_400, Line.SUBSTEPS, Line.ITERATIONS);
     }
 
     /** The phases are gaps between storeys. */
-    static CrowdProblem settling(int storeys) {
-        return new CrowdProblem(
-                "R15",
-                "a pyramid of " + storeys + " storeys that falls together",
-                OVERLAP_OF_MORE,
-                10,
+    static Problem settling(int storeys) {
+        Stream<Phase> gaps =
                 DoubleStream.of(0.0195, 0.02, 0.0205)
-                        .mapToObj(gap -> Commotions.settling(storeys, gap))
-                        .map(Phase::new));
+                        .mapToObj(gap -> new Phase(Commotions.settling(storeys, gap)));
+        String title = "a pyramid of " + storeys + " storeys that falls together";
+        return new CrowdProblem(10, OVERLAP, gaps).problem("R15", title, OVERLAP_OF_MORE);
     }
 
     /** The phases are speeds in m/s that a strike would give a box which nothing holds. */
-    static CrowdProblem struck(int storeys) {
+    static Problem struck(int storeys) {
         Scene scene = Commotions.struck(storeys);
         double mass = scene.bodies().get(FOOT).massProperties().mass();
-        return new CrowdProblem(
-                "R16",
-                "a pyramid of " + storeys + " storeys, struck at its foot each second",
-                OVERLAP_OF_MORE,
-                10,
-                DoubleStream.of(9.7, 10, 10.3).mapToObj(speed -> new Phase(scene, speed * mass)));
+        Stream<Phase> strikes =
+                DoubleStream.of(9.7, 10, 10.3).mapToObj(speed -> new Phase(scene, speed * mass));
+        String title = "a pyramid of " + storeys + " storeys, struck at its foot each second";
+        return new CrowdProblem(10, OVERLAP, strikes).problem("R16", title, OVERLAP_OF_MORE);
     }
 
     /** The phases are heights from which they fall, m. */
-    static CrowdProblem ragdolls(int count) {
-        return new CrowdProblem(
-                "R20",
-                count + " ragdolls that fall down stairs",
-                JOINT_ERROR,
-                10,
+    static Problem ragdolls(int count) {
+        Stream<Phase> heights =
                 DoubleStream.of(0, 0.05, 0.1)
-                        .mapToObj(higher -> Assemblies.stairs(count, higher))
-                        .map(Phase::new));
+                        .mapToObj(higher -> new Phase(Assemblies.stairs(count, higher)));
+        String title = count + " ragdolls that fall down stairs";
+        return new CrowdProblem(10, JOINTS, heights).problem("R20", title, JOINT_ERROR);
     }
 
-    @Override
-    public String id() {
-        return id;
-    }
-
-    @Override
-    public String title() {
-        return title;
-    }
-
-    @Override
-    public String error() {
-        return isOfJoints ? "error of the joints, m" : "deepest overlap / width";
-    }
-
-    @Override
-    public double equalBelow() {
-        return equalBelow;
-    }
-
-    /** Few or none: turning every knob takes hours. */
-    @Override
-    public List<Line> lines() {
-        return lines;
-    }
-
-    @Override
-    public boolean isLong() {
-        return true;
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private Trial set(Bench bench) {
         List<CrowdWatch> crowds =
                 phases.stream().map(phase -> new CrowdWatch(bench, phase.scene())).toList();
         return () -> run(bench, crowds);
@@ -175,13 +122,11 @@ final class CrowdProblem implements Problem {
                 return Errors.failed("something fell through the floor in phase " + i);
             }
         }
+        double deepest = median(crowds, CrowdWatch::deepest);
         Errors errors =
-                isOfJoints
-                        ? Errors.of(median(crowds, CrowdWatch::jointError))
-                                .with(
-                                        "deepest overlap / width",
-                                        median(crowds, CrowdWatch::deepest))
-                        : Errors.of(median(crowds, CrowdWatch::deepest));
+                error.equals(JOINTS)
+                        ? Errors.of(median(crowds, CrowdWatch::jointError)).with(OVERLAP, deepest)
+                        : Errors.of(deepest);
         return errors.with("energy gained / start", median(crowds, CrowdWatch::gain))
                 .with("speed left, m/s", median(crowds, CrowdWatch::fastest))
                 .with("sinking of the last body, m", median(crowds, CrowdWatch::sinkingOfLast));

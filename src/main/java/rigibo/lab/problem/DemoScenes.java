@@ -9,12 +9,11 @@ import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Thrust;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.lab.truth.Earth;
 import rigibo.lab.truth.Slope;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -45,21 +44,15 @@ final class DemoScenes {
     /** A stack of ten, a box that tips from its ledge, a crate that is flung and tumbles. */
     private static DemoScene crate() {
         double size = 0.6;
-        BodyDefinition crate =
-                BodyDefinition.dynamic(Polygon.box(size, size))
-                        .mass(1)
-                        .material(new Material(1, 0.5, 0.1));
+        BodyDefinition crate = Solid.box(size, size, 0.5, 0.1).mass(1);
         List<BodyDefinition> bodies = new ArrayList<>();
         for (int i = 0; i < 10; i++) {
             bodies.add(crate.at(2.4, (i + 0.5) * size));
         }
-        bodies.add(BodyDefinition.dynamic(Polygon.box(1, 0.5)).at(5.3, 1.45));
+        bodies.add(Solid.box(1, 0.5).at(5.3, 1.45));
         bodies.add(crate.at(-4, 1.5).angle(0.3).velocity(3, 1).spin(-2));
-        bodies.add(
-                BodyDefinition.fixed(Polygon.box(24, 1))
-                        .at(2, -0.5)
-                        .material(new Material(1, 0.6, 0)));
-        bodies.add(BodyDefinition.fixed(Polygon.box(1.6, 1.2)).at(6.2, 0.6));
+        bodies.add(Solid.fixed(24, 1, 0.6, 0).at(2, -0.5));
+        bodies.add(Solid.fixed(1.6, 1.2).at(6.2, 0.6));
         return new DemoScene("crate", LONG, Effects.usual(), 0, bodies);
     }
 
@@ -69,10 +62,7 @@ final class DemoScenes {
         Material rubber = new Material(1, 0.6, 0);
         Slope ramp = new Slope(Math.toRadians(15));
         BodyDefinition wheel =
-                BodyDefinition.dynamic(new Circle(radius))
-                        .mass(10)
-                        .spin(20)
-                        .material(rubber.rollingResistance(0.005));
+                Solid.disc(radius).mass(10).spin(20).material(rubber.rollingResistance(0.005));
         Effects effects =
                 Effects.of(
                         GRAVITY,
@@ -96,12 +86,12 @@ final class DemoScenes {
             Material matter = new Material(1, lanes[lane], 0);
             double y = -3.0 * lane;
             bodies.add(
-                    BodyDefinition.dynamic(Polygon.box(0.9, 2 * halfHeight))
+                    Solid.box(0.9, 2 * halfHeight)
                             .at(0, y + halfHeight)
                             .velocity(5, 0)
                             .mass(10)
                             .material(matter));
-            floors.add(BodyDefinition.fixed(Polygon.box(40, 0.4)).at(0, y - 0.2).material(matter));
+            floors.add(Solid.fixed(40, 0.4).at(0, y - 0.2).material(matter));
         }
         bodies.addAll(floors);
         Effects effects = Effects.of(GRAVITY, new Contacts(), new Rotation(), new Friction());
@@ -117,17 +107,12 @@ final class DemoScenes {
         for (int i = 0; i < 60; i++) {
             double x = -3.6 + 0.5 * (i % 15) + 0.2 * random.nextDouble();
             double y = 3 + 0.6 * (i / 15) + 0.3 * random.nextDouble();
-            bodies.add(
-                    BodyDefinition.dynamic(new Circle(0.14))
-                            .at(x, y)
-                            .velocity(0, -6)
-                            .material(drop));
+            bodies.add(Solid.disc(0.14).at(x, y).velocity(0, -6).material(drop));
         }
-        bodies.add(BodyDefinition.dynamic(new Circle(0.4)).at(6, 4.4).material(drop));
-        bodies.add(BodyDefinition.fixed(Polygon.box(24, 1)).at(0, -0.5).material(stone));
+        bodies.add(Solid.disc(0.4).at(6, 4.4).material(drop));
+        bodies.add(Solid.fixed(24, 1).at(0, -0.5).material(stone));
         for (int side = -1; side <= 1; side += 2) {
-            bodies.add(
-                    BodyDefinition.fixed(Polygon.box(0.6, 20)).at(side * 4.3, 10).material(stone));
+            bodies.add(Solid.fixed(0.6, 20).at(side * 4.3, 10).material(stone));
         }
         Effects effects =
                 Effects.of(GRAVITY, new Contacts(), new Restitution(), new ContinuousImpacts());

@@ -20,7 +20,7 @@ import java.util.List;
  * <p>It is our own yardstick: another engine's contacts may be soft on purpose, and what it does at
  * an impact with friction is another law, so that a distance from ours would not be an error.
  */
-final class Demos implements Problem {
+final class Demos {
 
     private static final double REFERENCE_STEP = Setting.USUAL_STEP / 16;
 
@@ -43,39 +43,23 @@ final class Demos implements Problem {
         }
     }
 
-    @Override
-    public String id() {
-        return "R13";
-    }
-
-    @Override
-    public String title() {
-        return "the four demos before chaos sets in";
-    }
-
-    @Override
-    public String error() {
-        return "distance from EXACT at 1/960 s, m";
-    }
-
     /** Row 11: the place of an impact. */
-    @Override
-    public double equalBelow() {
-        return 1e-6;
+    private static final double EQUAL_BELOW = 1e-6;
+
+    private Demos() {}
+
+    static Problem problem() {
+        return new Problem(
+                        "R13",
+                        "the four demos before chaos sets in",
+                        "distance from EXACT at 1/960 s, m",
+                        EQUAL_BELOW,
+                        List.of(Line.STEP, Line.STEP_DISCRETE, Line.STEP_SPLIT, Line.TOLERANCE),
+                        Demos::set)
+                .ofOursAlone();
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.STEP_DISCRETE, Line.STEP_SPLIT, Line.TOLERANCE);
-    }
-
-    @Override
-    public boolean isForAll() {
-        return false;
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         List<double[][]> truth = Reference.PLACES;
         List<World> worlds = new ArrayList<>();
         for (DemoScene scene : SCENES) {

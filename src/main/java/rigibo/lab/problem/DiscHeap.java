@@ -4,13 +4,11 @@ import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -21,7 +19,7 @@ import java.util.SplittableRandom;
  * in its neighbours or walls at its deepest, in the mean over discs and over the last half second.
  * The phases are heaps from other seeds.
  */
-final class DiscHeap implements Problem {
+final class DiscHeap {
 
     private static final int SIDE = 6;
     private static final int DISCS = SIDE * SIDE;
@@ -38,34 +36,22 @@ final class DiscHeap implements Problem {
     private static final long[] SEEDS = {36, 37};
     private static final Material SMOOTH = new Material(1, 0, 0);
 
-    @Override
-    public String id() {
-        return "R11";
-    }
-
-    @Override
-    public String title() {
-        return "a heap of 36 smooth discs";
-    }
-
-    @Override
-    public String error() {
-        return "mean overlap at rest / radius";
-    }
-
     /** In every case: 2 L at rest, for a disc of 1 m. */
-    @Override
-    public double equalBelow() {
-        return 2e-3 / RADIUS;
+    private static final double EQUAL_BELOW = 2e-3 / RADIUS;
+
+    private DiscHeap() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R11",
+                "a heap of 36 smooth discs",
+                "mean overlap at rest / radius",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.SUBSTEPS, Line.ITERATIONS, Line.SOLVER, Line.CORRECTION),
+                DiscHeap::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.SUBSTEPS, Line.ITERATIONS, Line.SOLVER, Line.CORRECTION);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World[] worlds = new World[SEEDS.length];
         for (int i = 0; i < worlds.length; i++) {
             worlds[i] = heap(bench, new SplittableRandom(SEEDS[i]));
@@ -84,12 +70,12 @@ final class DiscHeap implements Problem {
             double share = (i % SIDE + 0.5) / SIDE - 0.5;
             double x = WIDTH * share + PLAY / SIDE * (random.nextDouble() - 0.5);
             double y = 2 * RADIUS + 1.2 * (i / SIDE) + 0.1 * random.nextDouble();
-            world.add(BodyDefinition.dynamic(new Circle(RADIUS)).at(x, y).material(SMOOTH));
+            world.add(Solid.disc(RADIUS).at(x, y).material(SMOOTH));
         }
         world.add(Earth.floor(0, 0));
         for (int side = -1; side <= 1; side += 2) {
             world.add(
-                    BodyDefinition.fixed(Polygon.box(WALL, TALL))
+                    Solid.fixed(WALL, TALL)
                             .at(side * (WIDTH + WALL) / 2, TALL / 2)
                             .material(SMOOTH));
         }

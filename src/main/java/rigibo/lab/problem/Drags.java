@@ -4,12 +4,11 @@ import rigibo.backend.effect.AirDrag;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -26,7 +25,7 @@ import java.util.List;
  * <p>The error is the largest on the way: in the end every stone falls at its terminal speed,
  * whatever happened before.
  */
-final class Drags implements Problem {
+final class Drags {
 
     private static final double SECONDS = 3;
     private static final double RADIUS = 0.5;
@@ -39,39 +38,27 @@ final class Drags implements Problem {
     /** The phases of the quadratic drag: terminal and first speed, m/s. */
     private static final double[][] QUADRATIC = {{20, 15}, {20, 33}, {12, 25}, {33, 12}};
 
-    @Override
-    public String id() {
-        return "R2";
-    }
-
-    @Override
-    public String title() {
-        return "throws against linear and quadratic drag";
-    }
-
-    @Override
-    public String error() {
-        return "largest error of the velocity / first speed";
-    }
-
     /** Row 3, quadratic drag; linear drag alone is promised to 1e-9. */
-    @Override
-    public double equalBelow() {
-        return 1e-6;
+    private static final double EQUAL_BELOW = 1e-6;
+
+    private Drags() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R2",
+                "throws against linear and quadratic drag",
+                "largest error of the velocity / first speed",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.STEP_EULER, Line.STEP_VERLET, Line.STEP_RK4, Line.SUBSTEPS),
+                Drags::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.STEP_EULER, Line.STEP_VERLET, Line.STEP_RK4, Line.SUBSTEPS);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         Gravity gravity = new Gravity(0, -Earth.GRAVITY);
         World thick = bench.world(Effects.of(gravity, new Drag()));
         for (double[] thrown : LINEAR) {
             thick.add(
-                    BodyDefinition.dynamic(new Circle(RADIUS))
+                    Solid.disc(RADIUS)
                             .velocity(thrown[1], thrown[2])
                             .material(Material.DEFAULT.drag(thrown[0])));
         }
@@ -79,10 +66,7 @@ final class Drags implements Problem {
         for (double[] thrown : QUADRATIC) {
             double area = 2 * RADIUS;
             double weight = DENSITY * COEFFICIENT * area * thrown[0] * thrown[0] / 2;
-            airy.add(
-                    BodyDefinition.dynamic(new Circle(RADIUS))
-                            .velocity(0, thrown[1])
-                            .mass(weight / Earth.GRAVITY));
+            airy.add(Solid.disc(RADIUS).velocity(0, thrown[1]).mass(weight / Earth.GRAVITY));
         }
         return () -> fly(bench, thick, airy);
     }

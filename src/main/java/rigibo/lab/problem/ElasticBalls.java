@@ -2,14 +2,12 @@ package rigibo.lab.problem;
 
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Rotation;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
-import rigibo.backend.setup.Material;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Bounces;
 import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -21,7 +19,7 @@ import java.util.List;
  * in height, so that their first impacts are spread over one step of the game: an error depends on
  * where in the step the impact falls.
  */
-final class ElasticBalls implements Problem {
+final class ElasticBalls {
 
     private static final int BALLS = 49;
     private static final double SECONDS = 20;
@@ -30,41 +28,28 @@ final class ElasticBalls implements Problem {
     private static final double MASS = 10;
     private static final double DISTANCE = 0.5;
 
-    @Override
-    public String id() {
-        return "R5";
-    }
-
-    @Override
-    public String title() {
-        return "49 elastic balls bouncing for 20 s";
-    }
-
-    @Override
-    public String error() {
-        return "root mean square change of energy / energy";
-    }
-
     /** Row 10: the apex of a ball with e = 1, which is its energy, after ten bounces. */
-    @Override
-    public double equalBelow() {
-        return 1e-6;
+    private static final double EQUAL_BELOW = 1e-6;
+
+    private ElasticBalls() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R5",
+                "49 elastic balls bouncing for 20 s",
+                "root mean square change of energy / energy",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.STEP_DISCRETE, Line.STEP_SPLIT),
+                ElasticBalls::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.STEP_DISCRETE, Line.STEP_SPLIT);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World world = bench.world(Earth.effects().without(Friction.class).without(Rotation.class));
         for (int i = 0; i < BALLS; i++) {
             world.add(
-                    BodyDefinition.dynamic(new Circle(RADIUS))
+                    Solid.disc(RADIUS, 0, 1)
                             .at(DISTANCE * (i - BALLS / 2), RADIUS + height(i))
-                            .mass(MASS)
-                            .material(new Material(1, 0, 1)));
+                            .mass(MASS));
         }
         world.add(Earth.floor(0, 1));
         return () -> bounce(bench, world);

@@ -1,11 +1,11 @@
 package rigibo.lab.problem;
 
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -14,7 +14,7 @@ import java.util.List;
  * neither overlaps the other or the floor; L = 1 mm is what is tolerated. The phases are the ratios
  * of mass. A light box that is pushed out or gone through is a failure.
  */
-final class HeavyOnLight implements Problem {
+final class HeavyOnLight {
 
     private static final double SECONDS = 2;
     private static final double TOLERATED = 1e-3;
@@ -29,34 +29,22 @@ final class HeavyOnLight implements Problem {
     private static final int LIGHT = 1;
     private static final int HEAVY = 2;
 
-    @Override
-    public String id() {
-        return "R12";
-    }
-
-    @Override
-    public String title() {
-        return "a box under another of up to 10,000 times its mass";
-    }
-
-    @Override
-    public String error() {
-        return "overlap / L, L = 1 mm";
-    }
-
     /** Row 55. */
-    @Override
-    public double equalBelow() {
-        return 2;
+    private static final double EQUAL_BELOW = 2;
+
+    private HeavyOnLight() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R12",
+                "a box under another of up to 10,000 times its mass",
+                "overlap / L, L = 1 mm",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.SUBSTEPS, Line.SOLVER),
+                HeavyOnLight::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.SUBSTEPS, Line.SOLVER);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World[] worlds = new World[RATIOS.length];
         for (int i = 0; i < worlds.length; i++) {
             worlds[i] = bench.world(Earth.effects());
@@ -68,7 +56,7 @@ final class HeavyOnLight implements Problem {
     }
 
     private static BodyDefinition box(double density) {
-        return BodyDefinition.dynamic(Polygon.box(1, 1)).material(new Material(density, 0.6, 0));
+        return Solid.box(1, 1).material(new Material(density, 0.6, 0));
     }
 
     private static Errors stand(Bench bench, World[] worlds) {

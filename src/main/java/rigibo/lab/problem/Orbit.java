@@ -2,10 +2,9 @@ package rigibo.lab.problem;
 
 import rigibo.backend.effect.CentralForce;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -16,7 +15,7 @@ import java.util.List;
  * v_y − y·v_x, stays too and points to the nearest place: here to the right. Half axes differ, lest
  * steps always fall on the same places of an orbit.
  */
-final class Orbit implements Problem {
+final class Orbit {
 
     private static final double SECONDS = 100;
     private static final double ECCENTRICITY = 0.5;
@@ -27,39 +26,27 @@ final class Orbit implements Problem {
     /** The phases: half axes, m. */
     private static final double[] HALF_AXES = {0.87, 0.94, 1.03, 1.12, 1.19};
 
-    @Override
-    public String id() {
-        return "R4";
-    }
-
-    @Override
-    public String title() {
-        return "an eccentric orbit for 100 turns";
-    }
-
-    @Override
-    public String error() {
-        return "largest change of energy / energy";
-    }
-
     /** The case origin/fields: an orbit for a hundred turns. */
-    @Override
-    public double equalBelow() {
-        return 1e-7;
+    private static final double EQUAL_BELOW = 1e-7;
+
+    private Orbit() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R4",
+                "an eccentric orbit for 100 turns",
+                "largest change of energy / energy",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.STEP_EULER, Line.STEP_VERLET, Line.STEP_RK4, Line.SUBSTEPS),
+                Orbit::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.STEP_EULER, Line.STEP_VERLET, Line.STEP_RK4, Line.SUBSTEPS);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World world = bench.world(Effects.of(new CentralForce(0, 0, STRENGTH, -2)));
         for (double axis : HALF_AXES) {
             double nearest = axis * (1 - ECCENTRICITY);
             double speed = Math.sqrt(STRENGTH * (2 / nearest - 1 / axis));
-            world.add(BodyDefinition.dynamic(new Circle(0.01)).at(nearest, 0).velocity(0, speed));
+            world.add(Solid.disc(0.01).at(nearest, 0).velocity(0, speed));
         }
         return () -> turn(bench, world);
     }

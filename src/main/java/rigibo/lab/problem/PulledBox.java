@@ -2,13 +2,11 @@ package rigibo.lab.problem;
 
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Thrust;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -23,7 +21,7 @@ import java.util.List;
  * f₁ − n·f₂)/M and a_disc = f₂/m, and nothing slips as f₂ = 0.23 N is less than μ₂·m·g. From rest
  * all velocities are a·t; the error is the mean of their squared errors, over steps and bodies.
  */
-final class PulledBox implements Problem {
+final class PulledBox {
 
     private static final double SECONDS = 4;
     private static final double BOX = 10;
@@ -51,46 +49,29 @@ final class PulledBox implements Problem {
     /** m/s² to the right. */
     static final double DISC_GAINS = DISC_BRAKE / DISC;
 
-    @Override
-    public String id() {
-        return "R7";
-    }
-
-    @Override
-    public String title() {
-        return "25 discs rolling on a box that is pulled";
-    }
-
-    @Override
-    public String error() {
-        return "mean square error of the velocities, m²/s²";
-    }
-
     /** Row 34: a rolling disc's velocity to 1e-5 of it, here of the box's at the end. */
-    @Override
-    public double equalBelow() {
-        double velocity = 1e-5 * BOX_GAINS * SECONDS;
-        return velocity * velocity;
-    }
+    private static final double EQUAL_BELOW = Math.pow(1e-5 * BOX_GAINS * SECONDS, 2);
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.SUBSTEPS, Line.SOLVER);
+    private PulledBox() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R7",
+                "25 discs rolling on a box that is pulled",
+                "mean square error of the velocities, m²/s²",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.SUBSTEPS, Line.SOLVER),
+                PulledBox::set);
     }
 
     /** The box has the discs' friction, so that √(μ·μ) is theirs; the ground makes up for it. */
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World world = bench.world(Earth.effects().without(Restitution.class).with(new Thrust()));
         Material rough = new Material(1, DISC_FRICTION, 0);
-        world.add(
-                BodyDefinition.dynamic(Polygon.box(LENGTH, THICKNESS))
-                        .at(0, THICKNESS / 2)
-                        .mass(BOX)
-                        .material(rough));
+        world.add(Solid.box(LENGTH, THICKNESS).at(0, THICKNESS / 2).mass(BOX).material(rough));
         for (int i = 0; i < DISCS; i++) {
             world.add(
-                    BodyDefinition.dynamic(new Circle(RADIUS))
+                    Solid.disc(RADIUS)
                             .at(AHEAD + DISTANCE * (i - DISCS / 2), THICKNESS + RADIUS)
                             .mass(DISC)
                             .material(rough));

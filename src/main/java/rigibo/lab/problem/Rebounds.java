@@ -2,14 +2,12 @@ package rigibo.lab.problem;
 
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Rotation;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
-import rigibo.backend.setup.Material;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Bounces;
 import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -20,7 +18,7 @@ import java.util.List;
  * that sinks again, y + v²/2g, where v is next to nothing: what an engine does at the impact cannot
  * be mistaken for it. The impact before that apex came as long before it as a rise to it takes.
  */
-final class Rebounds implements Problem {
+final class Rebounds {
 
     private static final double ELASTICITY = 0.8;
     private static final double HEIGHT = 2;
@@ -33,44 +31,29 @@ final class Rebounds implements Problem {
     /** Of the first impact within a step of the game. */
     private static final int PHASES = 25;
 
-    @Override
-    public String id() {
-        return "R6";
-    }
-
-    @Override
-    public String title() {
-        return "five bounces of a ball with e = 0.8";
-    }
-
-    @Override
-    public String error() {
-        return "largest error of an apex / height of the drop";
-    }
-
     /** Row 10. */
-    @Override
-    public double equalBelow() {
-        return 1e-6;
+    private static final double EQUAL_BELOW = 1e-6;
+
+    private Rebounds() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R6",
+                "five bounces of a ball with e = 0.8",
+                "largest error of an apex / height of the drop",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.STEP_DISCRETE, Line.STEP_SPLIT, Line.TOLERANCE),
+                Rebounds::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.STEP_DISCRETE, Line.STEP_SPLIT, Line.TOLERANCE);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World world = bench.world(Earth.effects().without(Friction.class).without(Rotation.class));
         Rebound[] balls = new Rebound[PHASES];
         for (int i = 0; i < PHASES; i++) {
             double fall = Math.sqrt(2 * HEIGHT / Earth.GRAVITY) + i * Setting.USUAL_STEP / PHASES;
             double height = Bounces.heightOfFall(fall);
             balls[i] = new Rebound(new Bounces(height, ELASTICITY));
-            world.add(
-                    BodyDefinition.dynamic(new Circle(RADIUS))
-                            .at(i - PHASES / 2, RADIUS + height)
-                            .material(new Material(1, 0, ELASTICITY)));
+            world.add(Solid.disc(RADIUS, 0, ELASTICITY).at(i - PHASES / 2, RADIUS + height));
         }
         world.add(Earth.floor(0, ELASTICITY));
         return () -> bounce(bench, world, balls);

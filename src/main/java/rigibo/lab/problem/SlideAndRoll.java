@@ -1,13 +1,12 @@
 package rigibo.lab.problem;
 
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Earth;
 import rigibo.lab.truth.Slope;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -24,7 +23,7 @@ import java.util.List;
  * gains μg·t·mr²/I = 2μg·t of its rim's, which are equal at T = v/3μg. It then rolls on with 2v/3:
  * d = v·T − μg·T²/2 + (2v/3)·(t − T).
  */
-final class SlideAndRoll implements Problem {
+final class SlideAndRoll {
 
     private static final double SECONDS = 2;
     private static final double FRICTION = 0.5;
@@ -41,40 +40,28 @@ final class SlideAndRoll implements Problem {
     private static final Slope SLOPE = new Slope(Math.atan(FRICTION) + STEEPER);
     private static final Material MATTER = new Material(1, FRICTION, 0);
 
-    @Override
-    public String id() {
-        return "R8";
-    }
-
-    @Override
-    public String title() {
-        return "down a slope, to a stop, from slipping to rolling";
-    }
-
-    @Override
-    public String error() {
-        return "error of the distance / distance";
-    }
-
     /** Row 27, the way of a box to its stop. */
-    @Override
-    public double equalBelow() {
-        return 1e-5;
+    private static final double EQUAL_BELOW = 1e-5;
+
+    private SlideAndRoll() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R8",
+                "down a slope, to a stop, from slipping to rolling",
+                "error of the distance / distance",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.SUBSTEPS),
+                SlideAndRoll::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.SUBSTEPS);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World slope = bench.world(Earth.effects());
-        BodyDefinition box = BodyDefinition.dynamic(Polygon.box(1, THICKNESS)).material(MATTER);
+        BodyDefinition box = Solid.box(1, THICKNESS).material(MATTER);
         slope.add(SLOPE.place(box, THICKNESS / 2));
         slope.add(SLOPE.plank(MATTER));
         World sliding = level(bench, box, THICKNESS / 2);
-        BodyDefinition disc = BodyDefinition.dynamic(new Circle(RADIUS)).material(MATTER);
+        BodyDefinition disc = Solid.disc(RADIUS).material(MATTER);
         World rolling = level(bench, disc, RADIUS);
         return () -> run(bench, slope, sliding, rolling);
     }

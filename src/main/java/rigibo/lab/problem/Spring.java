@@ -2,10 +2,9 @@ package rigibo.lab.problem;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Field;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
+import rigibo.lab.truth.Solid;
 
 import java.util.Arrays;
 import java.util.List;
@@ -15,7 +14,7 @@ import java.util.List;
  * starts at the phase φ has gone on by ωt, and v² + ω²x² stays ω². The phase is followed from step
  * to step, so that an engine that lags by more than a turn is told from one that does not.
  */
-final class Spring implements Problem {
+final class Spring {
 
     /** One period a second. */
     private static final double OMEGA = 2 * Math.PI;
@@ -25,41 +24,26 @@ final class Spring implements Problem {
     /** φ, rad: none is a quarter turn from another, where errors of energy would be alike. */
     private static final double[] PHASES = {0, 0.4, 0.8, 1.2};
 
-    @Override
-    public String id() {
-        return "R3";
-    }
-
-    @Override
-    public String title() {
-        return "a mass on a spring for 100 periods";
-    }
-
-    @Override
-    public String error() {
-        return "phase after 100 periods, rad";
-    }
-
     /** The case origin/fields: a spring for a hundred turns. */
-    @Override
-    public double equalBelow() {
-        return 1e-7;
+    private static final double EQUAL_BELOW = 1e-7;
+
+    private Spring() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R3",
+                "a mass on a spring for 100 periods",
+                "phase after 100 periods, rad",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.STEP_EULER, Line.STEP_VERLET, Line.STEP_RK4, Line.SUBSTEPS),
+                Spring::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.STEP_EULER, Line.STEP_VERLET, Line.STEP_RK4, Line.SUBSTEPS);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         double squared = OMEGA * OMEGA;
         World world = bench.world(Effects.of(new Field(at -> at.accelerate(-squared * at.x, 0))));
         for (double phase : PHASES) {
-            world.add(
-                    BodyDefinition.dynamic(new Circle(0.1))
-                            .at(Math.cos(phase), 0)
-                            .velocity(-OMEGA * Math.sin(phase), 0));
+            world.add(Solid.disc(0.1).at(Math.cos(phase), 0).velocity(-OMEGA * Math.sin(phase), 0));
         }
         return () -> swing(bench, world);
     }

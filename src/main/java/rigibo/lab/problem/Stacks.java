@@ -1,10 +1,9 @@
 package rigibo.lab.problem;
 
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 import java.util.List;
 
@@ -13,7 +12,7 @@ import java.util.List;
  * box k, the lowest being 0, carries the N − k boxes from there on: in a step of dt its impulse is
  * λₖ = (N − k)·m·g·dt. It is weighed at every step of the last half second and the worst counts.
  */
-final class Stacks implements Problem {
+final class Stacks {
 
     private static final int[] COUNTS = {10, 20};
     private static final double SECONDS = 3;
@@ -26,43 +25,28 @@ final class Stacks implements Problem {
      */
     private static final double GAP = 0.02;
 
-    @Override
-    public String id() {
-        return "R9";
-    }
-
-    @Override
-    public String title() {
-        return "stacks of 10 and 20 boxes";
-    }
-
-    @Override
-    public String error() {
-        return "largest error of a contact's impulse / weight of the stack";
-    }
-
     /** Row 19: the impulse below a box; row 20 holds stacks to it. */
-    @Override
-    public double equalBelow() {
-        return 1e-6;
+    private static final double EQUAL_BELOW = 1e-6;
+
+    private Stacks() {}
+
+    static Problem problem() {
+        return new Problem(
+                "R9",
+                "stacks of 10 and 20 boxes",
+                "largest error of a contact's impulse / weight of the stack",
+                EQUAL_BELOW,
+                List.of(Line.STEP, Line.SUBSTEPS, Line.SOLVER),
+                Stacks::set);
     }
 
-    @Override
-    public List<Line> lines() {
-        return List.of(Line.STEP, Line.SUBSTEPS, Line.SOLVER);
-    }
-
-    @Override
-    public Trial set(Bench bench) {
+    private static Trial set(Bench bench) {
         World[] worlds = new World[COUNTS.length];
         for (int stack = 0; stack < COUNTS.length; stack++) {
             worlds[stack] = bench.world(Earth.effects());
             worlds[stack].add(Earth.floor(0.5, 0));
             for (int i = 0; i < COUNTS[stack]; i++) {
-                worlds[stack].add(
-                        BodyDefinition.dynamic(Polygon.box(1, 1))
-                                .at(0, i + 0.5 + GAP * (i + 1))
-                                .mass(MASS));
+                worlds[stack].add(Solid.box(1, 1).at(0, i + 0.5 + GAP * (i + 1)).mass(MASS));
             }
         }
         return () -> stand(bench, worlds);

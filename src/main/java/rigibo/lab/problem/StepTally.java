@@ -1,14 +1,12 @@
 package rigibo.lab.problem;
 
-import com.sun.management.ThreadMXBean;
+import rigibo.lab.child.ThreadUse;
 
-import java.lang.management.ManagementFactory;
 import java.util.function.LongSupplier;
 
 /** What steps take, without what is done between those that are measured. */
 public final class StepTally {
 
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final double NANOS_PER_MICRO = 1e3;
 
     private long steps;
@@ -20,19 +18,12 @@ public final class StepTally {
     public void measure(LongSupplier made) {
         long wall = System.nanoTime();
         // The processor's clock may allocate, so bytes are counted within it.
-        long cpu = processorNanos();
-        long allocated = THREADS.getCurrentThreadAllocatedBytes();
+        long cpu = ThreadUse.nanos();
+        long allocated = ThreadUse.bytes();
         steps += made.getAsLong();
-        bytes += THREADS.getCurrentThreadAllocatedBytes() - allocated;
-        cpuNanos += processorNanos() - cpu;
+        bytes += ThreadUse.bytes() - allocated;
+        cpuNanos += ThreadUse.nanos() - cpu;
         wallNanos += System.nanoTime() - wall;
-    }
-
-    /** What this thread has used of a processor: others that are given turns do not count. */
-    private static long processorNanos() {
-        return THREADS.isCurrentThreadCpuTimeSupported()
-                ? THREADS.getCurrentThreadCpuTime()
-                : System.nanoTime();
     }
 
     /** Steps that were measured. */

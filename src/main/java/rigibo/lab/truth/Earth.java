@@ -1,10 +1,9 @@
 package rigibo.lab.truth;
 
 import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sleep;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
-import rigibo.backend.setup.Material;
 
 /** The surroundings of most scenes: what acts on the ground, and the ground. */
 public final class Earth {
@@ -22,11 +21,13 @@ public final class Earth {
         return Effects.usual().without(Sleep.class);
     }
 
+    /** The same without weight. */
+    public static Effects space() {
+        return effects().without(Gravity.class);
+    }
+
     /** A floor of 200 m whose surface is y = 0, of this friction and elasticity. */
     public static BodyDefinition floor(double friction, double elasticity) {
-        return BodyDefinition.fixed(Polygon.box(200, 2))
-                .at(0, -1)
-                .material(new Material(1, friction, elasticity))
-                .name("floor");
+        return Solid.fixed(200, 2, friction, elasticity).at(0, -1).name("floor");
     }
 }

@@ -1,7 +1,5 @@
 package rigibo.lab.truth;
 
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
@@ -25,7 +23,7 @@ public record Room(double velocityX, double velocityY) {
 
     /** The four walls, 1 m thick. */
     public List<BodyDefinition> walls() {
-        BodyDefinition wall = BodyDefinition.fixed(Polygon.box(12, 1)).material(SMOOTH);
+        BodyDefinition wall = Solid.fixed(12, 1).material(SMOOTH);
         return List.of(
                 wall.at(WIDTH / 2, -0.5),
                 wall.at(WIDTH / 2, HEIGHT + 0.5),
@@ -35,7 +33,7 @@ public record Room(double velocityX, double velocityY) {
 
     /** The disc where it starts. */
     public BodyDefinition disc() {
-        return BodyDefinition.dynamic(new Circle(RADIUS))
+        return Solid.disc(RADIUS)
                 .at(START_X, START_Y)
                 .velocity(velocityX, velocityY)
                 .material(SMOOTH);

@@ -1,6 +1,5 @@
 package rigibo.lab.truth;
 
-import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
@@ -18,10 +17,7 @@ public record Slope(double angle) {
     public BodyDefinition plank(Material material) {
         double x = -THICKNESS / 2 * Math.sin(angle);
         double y = -THICKNESS / 2 * Math.cos(angle);
-        return BodyDefinition.fixed(Polygon.box(LENGTH, THICKNESS))
-                .at(x, y)
-                .angle(-angle)
-                .material(material);
+        return Solid.fixed(LENGTH, THICKNESS).at(x, y).angle(-angle).material(material);
     }
 
     /** A body lying at the origin, its centre so far from the face. */

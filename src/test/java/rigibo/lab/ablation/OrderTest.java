@@ -63,10 +63,10 @@ class OrderTest {
 
     @Test
     void whatNeedsAnEffectIsLeftOutWithIt() {
-        LeftOut scene = new LeftOut(workloads.scene("wheel"), "Contacts");
+        LeftOut scene = LeftOut.of(workloads.scene("wheel"), "Contacts");
         assertThat(scene.companions())
                 .containsExactly("Friction", "RollingResistance", "ContinuousImpacts");
-        assertThat(scene.effects().all())
+        assertThat(scene.remaining().all())
                 .extracting(Effect::title)
                 .containsExactly("gravity", "rotation", "thrust");
     }

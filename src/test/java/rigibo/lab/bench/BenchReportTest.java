@@ -9,6 +9,7 @@ import rigibo.lab.bench.probe.Sample;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
 import rigibo.lab.engine.Work;
+import rigibo.lab.report.Report;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -47,10 +48,10 @@ class BenchReportTest {
         return new Sample(10, nanos, 3 * nanos, 0, 4e-4, height, 0.98, work);
     }
 
-    private BenchReport report() {
+    private Report report() {
         List<BenchScene> scenes = new ArrayList<>(List.of(BenchScenes.named(SCENE)));
         scenes.addAll(BenchScenes.sweep());
-        return new BenchReport(new Inquiry(scenes, List.of(), 3, Path.of("out")), results);
+        return BenchReport.of(new Inquiry(scenes, List.of(), 3, Path.of("out")), results);
     }
 
     /** Ratios 2, 4 and 3. */

@@ -9,6 +9,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
 
 /** What was found is found again. */
 class KeptTest {
@@ -45,5 +47,18 @@ class KeptTest {
         kept.add("R2", "1.25");
         assertThat(new Kept(file(), "key").of("R2")).contains("1.25");
         assertThat(new Kept(file(), "key").of("R1")).contains("1");
+    }
+
+    @Test
+    void onlyWhatIsMissingIsMade() {
+        Kept kept = new Kept(file(), "key");
+        kept.add("run 2", "kept");
+        List<String> told = new ArrayList<>();
+        kept.make(List.of(1, 2, 3), run -> "run " + run, run -> "made " + run, told::add);
+
+        assertThat(told).first().isEqualTo("2 runs to make");
+        assertThat(kept.of("run 1")).contains("made 1");
+        assertThat(kept.of("run 2")).contains("kept");
+        assertThat(new Kept(file(), "key").of("run 3")).contains("made 3");
     }
 }

@@ -27,7 +27,7 @@ class FlatPlateBowlTest {
     })
     void boxLosesWhatTheKinksTake(int plates, double lap, double radius) {
         Trial trial = new Trial(Preset.GAME, Preset.GAME, Sampling.USUAL, body -> body, 1);
-        FlatPlateBowl.ofBox().swing(trial, new PlateBowl(radius, plates, lap));
+        FlatPlateBowl.BOX.swing(trial, new PlateBowl(radius, plates, lap));
         assertThat(trial.measures()).allMatch(Measure::passes);
     }
 }

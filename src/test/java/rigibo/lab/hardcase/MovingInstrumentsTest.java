@@ -12,6 +12,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.bench.scene.Commotions;
+import rigibo.lab.truth.Earth;
 
 import java.util.List;
 
@@ -20,7 +21,7 @@ class MovingInstrumentsTest {
 
     private static final double CLOSE = 1e-12;
 
-    private final Pool pool = new Pool(Surroundings.space(), Preset.GAME.accuracy());
+    private final Pool pool = new Pool(Earth.space(), Preset.GAME.accuracy());
 
     private RigidBody disc(double x, double y) {
         return pool.add(BodyDefinition.dynamic(new Circle(0.5)).at(x, y));
@@ -99,7 +100,7 @@ class MovingInstrumentsTest {
     /** 2 kg that are taken from 0 to 3 m/s by what goes at 3 m/s: 18 J, the rest becomes heat. */
     @Test
     void carrierWorksByTheMomentumItHandsOver() {
-        WatchedPool watched = new WatchedPool(trial(), "", Surroundings.space());
+        WatchedPool watched = new WatchedPool(trial(), "", Earth.space());
         RigidBody carrier =
                 watched.add(BodyDefinition.kinematic(Polygon.box(1, 1)).at(-9, 0).velocity(3, 0));
         RigidBody body = watched.add(BodyDefinition.dynamic(new Circle(0.5)).mass(2).at(9, 0));
@@ -112,7 +113,7 @@ class MovingInstrumentsTest {
     /** A disc of 2 kg that a wall throws back has its momentum from the wall, not the carrier. */
     @Test
     void whatAFixedWallGivesIsNoWork() {
-        WatchedPool watched = new WatchedPool(trial(), "", Surroundings.space());
+        WatchedPool watched = new WatchedPool(trial(), "", Earth.space());
         RigidBody carrier =
                 watched.add(BodyDefinition.kinematic(Polygon.box(1, 1)).at(-50, 0).velocity(3, 0));
         watched.add(BodyDefinition.fixed(Polygon.box(1, 9)).at(5, 0));

@@ -27,7 +27,8 @@ class TautBridgesTest {
     })
     void stayClosedAndGainNothing(Preset preset, long seed) {
         Sampling sampling = new Sampling(Sampling.Extent.SMALL, seed);
-        HardCase.Result result = TautBridges.loaded().run(preset, sampling);
+        HardCase.Result result =
+                HardCase.of("J12/taut", "", TautBridges::fallOnAll).run(preset, sampling);
         assertThat(figure(result, "error of joints").figure()).isLessThan(GAPE);
         assertThat(figure(result, "energy beyond the start").passes())
                 .as(result.toString())

@@ -5,10 +5,8 @@ import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.Work;
 import rigibo.lab.precision.probe.Timing;
-import rigibo.lab.problem.Bench;
 import rigibo.lab.problem.Errors;
 import rigibo.lab.problem.Problem;
-import rigibo.lab.problem.Trial;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -22,31 +20,21 @@ final class FakePoints {
 
     static final List<Problem> PROBLEMS =
             List.of(
-                    new FakeProblem(
+                    problem(
                             "R1",
                             "ballistic flight of 5 s",
                             "distance from the parabola / length of the way",
                             1e-10),
-                    new FakeProblem(
+                    problem(
                             "R6",
                             "bounce with e = 0.8, apexes 1 to 5",
                             "greatest |apex − e²ⁿH| / H over 25 phases of the height",
                             1e-7),
-                    new FakeProblem("R9", "stacks of 10 and 20", "overlap / height", 1e-6));
+                    problem("R9", "stacks of 10 and 20", "overlap / height", 1e-6));
 
     /** Only its words are asked for. */
-    private record FakeProblem(String id, String title, String error, double equalBelow)
-            implements Problem {
-
-        @Override
-        public List<Line> lines() {
-            return List.of();
-        }
-
-        @Override
-        public Trial set(Bench bench) {
-            throw new UnsupportedOperationException("no problem to be run");
-        }
+    private static Problem problem(String id, String title, String error, double equalBelow) {
+        return new Problem(id, title, error, equalBelow, List.of(), null);
     }
 
     private final List<Point> points = new ArrayList<>();

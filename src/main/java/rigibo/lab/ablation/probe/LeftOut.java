@@ -1,21 +1,20 @@
 package rigibo.lab.ablation.probe;
 
-import rigibo.backend.Pool;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Thrust;
-import rigibo.backend.setup.BodyDefinition;
 
 import java.util.ArrayList;
 import java.util.List;
 
-/** A scene without one of its effects and without those that need it. */
-public final class LeftOut implements Workload {
-
-    private final Workload scene;
-    private final String effect;
-    private final Effects remaining;
-    private final boolean isDriven;
+/**
+ * A scene without one of its effects and without those that need it.
+ *
+ * @param scene the whole
+ * @param effect simple name of what is left out
+ * @param remaining what is still declared
+ */
+public record LeftOut(Workload scene, String effect, Effects remaining) {
 
     /**
      * The scene without an effect.
@@ -23,11 +22,8 @@ public final class LeftOut implements Workload {
      * @param effect its simple name
      * @throws IllegalArgumentException when the scene does not declare it
      */
-    public LeftOut(Workload scene, String effect) {
-        this.scene = scene;
-        this.effect = effect;
-        remaining = without(scene.effects(), effect);
-        isDriven = remaining.declares(Thrust.class);
+    public static LeftOut of(Workload scene, String effect) {
+        return new LeftOut(scene, effect, without(scene.effects(), effect));
     }
 
     private static Effects without(Effects declared, String name) {
@@ -47,7 +43,8 @@ public final class LeftOut implements Workload {
                 }
             }
         } while (candidates.size() < before);
-        return inOrder(declared, kept);
+        return Effects.of(
+                declared.all().stream().filter(kept.all()::contains).toArray(Effect[]::new));
     }
 
     /** Effects alone know what they need, and say so by refusing. */
@@ -60,11 +57,6 @@ public final class LeftOut implements Workload {
         }
     }
 
-    private static Effects inOrder(Effects declared, Effects kept) {
-        return Effects.of(
-                declared.all().stream().filter(kept.all()::contains).toArray(Effect[]::new));
-    }
-
     /** The effects left out because they need the one that was. */
     public List<String> companions() {
         return scene.effects().all().stream()
@@ -74,40 +66,9 @@ public final class LeftOut implements Workload {
                 .toList();
     }
 
-    @Override
-    public String name() {
-        return scene.name() + " without " + effect;
-    }
-
-    @Override
-    public String words() {
-        return scene.words() + ", without " + effect;
-    }
-
-    @Override
-    public Effects effects() {
-        return remaining;
-    }
-
-    @Override
-    public List<BodyDefinition> bodies() {
-        return scene.bodies();
-    }
-
-    @Override
-    public int stepsToSettle() {
-        return scene.stepsToSettle();
-    }
-
-    @Override
-    public int period() {
-        return scene.period();
-    }
-
-    @Override
-    public void drive(Pool pool) {
-        if (isDriven) {
-            scene.drive(pool);
-        }
+    /** What is left of the scene. */
+    Workload rest() {
+        boolean isDriven = remaining.declares(Thrust.class);
+        return scene.with(remaining, scene.laidOut(), isDriven ? scene.drive() : Workload.UNDRIVEN);
     }
 }

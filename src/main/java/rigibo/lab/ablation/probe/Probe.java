@@ -36,7 +36,7 @@ public final class Probe {
         pool = new Pool(workload.effects(), Accuracy.GAME);
         workload.bodies().forEach(pool::add);
         for (int i = 0; i < workload.stepsToSettle(); i++) {
-            workload.drive(pool);
+            workload.drive().accept(pool);
             pool.step(STEP);
         }
         poses = new Poses(pool);
@@ -74,7 +74,7 @@ public final class Probe {
         poses.restore();
         Counts counts = before;
         for (int i = 0; i < period; i++) {
-            workload.drive(pool);
+            workload.drive().accept(pool);
             counts = counts.plus(pool.step(STEP));
         }
         return counts;
@@ -82,7 +82,7 @@ public final class Probe {
 
     private void run() {
         for (int i = 0; i < period; i++) {
-            workload.drive(pool);
+            workload.drive().accept(pool);
             pool.step(STEP);
         }
     }

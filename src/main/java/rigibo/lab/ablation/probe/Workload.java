@@ -5,28 +5,40 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.BodyDefinition;
 
 import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 
-/** A scene that is measured: it runs for a while, is put back, and runs the same way again. */
-public interface Workload {
+/**
+ * A scene that is measured: it runs for a while, is put back, and runs the same way again.
+ *
+ * @param name one word for the command line and the tables
+ * @param words what it is, for a reader who does not see it
+ * @param effects what it calls for
+ * @param laidOut its bodies, in the order they are added
+ * @param stepsToSettle before the state that every period begins with
+ * @param period steps until it is put back: as long as it keeps moving
+ * @param drive before each step; allocates nothing
+ */
+public record Workload(
+        String name,
+        String words,
+        Effects effects,
+        Supplier<List<BodyDefinition>> laidOut,
+        int stepsToSettle,
+        int period,
+        Consumer<Pool> drive) {
 
-    /** One word for the command line and the tables. */
-    String name();
-
-    /** What it is, for a reader who does not see it. */
-    String words();
-
-    /** What it calls for. */
-    Effects effects();
+    /** What goes by itself. */
+    static final Consumer<Pool> UNDRIVEN = pool -> {};
 
     /** Its bodies, in the order they are added. */
-    List<BodyDefinition> bodies();
+    public List<BodyDefinition> bodies() {
+        return laidOut.get();
+    }
 
-    /** Steps before the state that every period begins with. */
-    int stepsToSettle();
-
-    /** Steps until it is put back: as long as it keeps moving. */
-    int period();
-
-    /** Before each step; allocates nothing. */
-    default void drive(Pool pool) {}
+    /** The same scene under other effects, with other bodies and another driver. */
+    Workload with(
+            Effects others, Supplier<List<BodyDefinition>> bodies, Consumer<Pool> otherDrive) {
+        return new Workload(name, words, others, bodies, stepsToSettle, period, otherDrive);
+    }
 }

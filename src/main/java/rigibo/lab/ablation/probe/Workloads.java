@@ -13,12 +13,12 @@ public final class Workloads {
     public Workloads(long seed) {
         scenes =
                 List.of(
-                        new Crate(),
-                        new Wheel(),
-                        new FrictionLanes(),
-                        new Flood(seed),
-                        new Flyers(seed),
-                        new Heap(seed));
+                        ProbeScenes.crate(),
+                        ProbeScenes.wheel(),
+                        ProbeScenes.friction(),
+                        ProbeScenes.flood(seed),
+                        ProbeScenes.flyers(seed),
+                        ProbeScenes.heap(seed));
         uses = UseList.all(seed);
     }
 
@@ -61,7 +61,7 @@ public final class Workloads {
         }
         Workload scene = scene(word[0]);
         boolean isWhole = word.length == 1 || word[1].equals("beside");
-        return isWhole ? scene : new LeftOut(scene, word[2]);
+        return isWhole ? scene : LeftOut.of(scene, word[2]).rest();
     }
 
     /** The words for a scene without one of its effects. */

@@ -1,10 +1,9 @@
 package rigibo.lab.bench.large;
 
-import com.sun.management.ThreadMXBean;
-
 import rigibo.backend.RigidBody;
 import rigibo.lab.bench.probe.StepTimes;
-import rigibo.lab.report.MeasuredTable;
+import rigibo.lab.child.ThreadUse;
+import rigibo.lab.report.Report;
 
 import java.lang.management.ManagementFactory;
 import java.util.List;
@@ -34,14 +33,12 @@ public record LargeBench(List<Integer> sizes) {
     /** Questions, and bodies removed. */
     private static final int ASKED = 1_000;
 
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-
     /**
      * Measures them all, the smallest once before, for the compiler.
      *
      * @param tell is told how far it is
      */
-    public MeasuredTable run(Consumer<String> tell) {
+    public Report run(Consumer<String> tell) {
         tell.accept("a world for the compiler");
         costs(sizes.stream().min(Integer::compare).orElseThrow());
         return LargeReport.of(
@@ -54,18 +51,18 @@ public record LargeBench(List<Integer> sizes) {
     private static LargeCosts costs(int size) {
         double asleep = asleep(size);
         long memory = memory();
-        long begun = now();
+        long begun = ThreadUse.nanos();
         LargeWorld world = LargeWorld.of(size);
-        double add = (now() - begun) / (double) size;
+        double add = (ThreadUse.nanos() - begun) / (double) size;
         double first = step(world);
         IntStream.range(0, SETTLING).forEach(i -> step(world));
         StepTimes times =
                 new StepTimes(IntStream.range(0, TIMED).mapToDouble(i -> step(world)).toArray());
         double bytes = (memory() - memory) / (double) size;
         double ask = ask(world);
-        begun = now();
+        begun = ThreadUse.nanos();
         int length = world.pool.snapshot().length;
-        double snapshot = length > 0 ? now() - begun : 0;
+        double snapshot = length > 0 ? ThreadUse.nanos() - begun : 0;
         double remove = remove(world);
         return new LargeCosts(
                 size,
@@ -82,9 +79,9 @@ public record LargeBench(List<Integer> sizes) {
 
     /** Processor time of a step, ns. */
     private static double step(LargeWorld world) {
-        long begun = now();
+        long begun = ThreadUse.nanos();
         world.pool.step(DT);
-        return now() - begun;
+        return ThreadUse.nanos() - begun;
     }
 
     private static double asleep(int size) {
@@ -92,21 +89,21 @@ public record LargeBench(List<Integer> sizes) {
         for (int i = 0; i < SETTLING || world.bodies.get(0).isAwake(); i++) {
             world.pool.step(DT);
         }
-        long begun = now();
+        long begun = ThreadUse.nanos();
         for (int i = 0; i < ASLEEP; i++) {
             world.pool.step(DT);
         }
-        return (now() - begun) / (double) ASLEEP;
+        return (ThreadUse.nanos() - begun) / (double) ASLEEP;
     }
 
     private static double ask(LargeWorld world) {
-        long begun = now();
+        long begun = ThreadUse.nanos();
         int found = 0;
         for (int i = 0; i < ASKED; i++) {
             RigidBody body = world.bodies.get(i * (world.bodies.size() / ASKED));
             found += world.pool.bodyAt(body.x(), body.y()).isPresent() ? 1 : 0;
         }
-        double each = (now() - begun) / (double) ASKED;
+        double each = (ThreadUse.nanos() - begun) / (double) ASKED;
         if (found < ASKED) {
             throw new IllegalStateException("no body where there is one");
         }
@@ -114,15 +111,11 @@ public record LargeBench(List<Integer> sizes) {
     }
 
     private static double remove(LargeWorld world) {
-        long begun = now();
+        long begun = ThreadUse.nanos();
         for (int i = 0; i < ASKED; i++) {
             world.pool.remove(world.bodies.get(i * (world.bodies.size() / ASKED)));
         }
-        return (now() - begun) / (double) ASKED;
-    }
-
-    private static long now() {
-        return THREADS.getCurrentThreadCpuTime();
+        return (ThreadUse.nanos() - begun) / (double) ASKED;
     }
 
     /** Bytes that are in use once all garbage is gone. */

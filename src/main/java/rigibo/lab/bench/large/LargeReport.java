@@ -1,7 +1,7 @@
 package rigibo.lab.bench.large;
 
 import rigibo.lab.report.Amount;
-import rigibo.lab.report.MeasuredTable;
+import rigibo.lab.report.Report;
 import rigibo.lab.report.Table;
 
 import java.util.List;
@@ -11,8 +11,8 @@ final class LargeReport {
 
     private LargeReport() {}
 
-    static MeasuredTable of(List<LargeCosts> worlds) {
-        return new MeasuredTable(
+    static Report of(List<LargeCosts> worlds) {
+        return Report.of(
                 new Table(
                         List.of(
                                 "bodies",
@@ -25,7 +25,8 @@ final class LargeReport {
                                 "removed",
                                 "step asleep",
                                 "memory, a body"),
-                        worlds.stream().map(LargeReport::row).toList()));
+                        worlds.stream().map(LargeReport::row).toList()),
+                List.of());
     }
 
     private static List<String> row(LargeCosts world) {

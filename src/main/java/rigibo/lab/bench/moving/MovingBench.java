@@ -5,11 +5,11 @@ import rigibo.lab.bench.probe.BenchProbe;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
-import rigibo.lab.child.Progress;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.MeasuredClasses;
 import rigibo.lab.engine.World;
+import rigibo.lab.report.Report;
 import rigibo.lab.truth.Outline;
 
 import java.nio.file.Path;
@@ -50,16 +50,10 @@ public record MovingBench(
      * @return what all runs found
      * @throws IllegalStateException when a process breaks off, with what it said
      */
-    public MovingReport run(Consumer<String> tell) {
+    public Report run(Consumer<String> tell) {
         Kept kept = new Kept(out.resolve(LOG), key());
         List<MovingTask> tasks = tasks();
-        List<MovingTask> missing =
-                tasks.stream().filter(task -> kept.of(task.name()).isEmpty()).toList();
-        Progress progress = new Progress(missing.size(), tell);
-        for (MovingTask task : missing) {
-            kept.add(task.name(), run(task));
-            progress.done();
-        }
+        kept.make(tasks, MovingTask::name, MovingBench::run, tell);
         return report(tasks, kept);
     }
 
@@ -75,23 +69,22 @@ public record MovingBench(
     }
 
     private static String run(MovingTask task) {
-        String classPath = System.getProperty("java.class.path");
-        return java().run(classPath, MovingProbe.class, task.arguments(), MovingProbe.MARK).get(0);
+        return java().run(MovingProbe.class, task.arguments(), MovingProbe.MARK);
     }
 
-    private MovingReport report(List<MovingTask> tasks, Kept kept) {
+    private Report report(List<MovingTask> tasks, Kept kept) {
         Map<BenchScene, Map<Contestant, Course>> courses = new LinkedHashMap<>();
         for (MovingTask task : tasks) {
             courses.computeIfAbsent(task.scene(), scene -> new LinkedHashMap<>())
                     .put(task.contestant(), Course.parse(kept.of(task.name()).orElseThrow()));
         }
-        List<MovingSection> sections = new ArrayList<>();
+        List<Report.Passage> sections = new ArrayList<>();
         courses.forEach(
-                (scene, found) ->
-                        sections.add(
-                                new MovingSection(
-                                        scene.name() + ": " + scene.what(), found, steps)));
-        return new MovingReport(sections);
+                (scene, found) -> {
+                    String title = scene.name() + ": " + scene.what();
+                    sections.add(new MovingSection(title, found, steps).passage());
+                });
+        return new Report("", sections);
     }
 
     /** Of everything that decides what is found, those who take part included. */

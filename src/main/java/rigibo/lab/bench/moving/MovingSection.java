@@ -2,6 +2,7 @@ package rigibo.lab.bench.moving;
 
 import rigibo.lab.bench.probe.StepTimes;
 import rigibo.lab.report.Amount;
+import rigibo.lab.report.Report.Passage;
 import rigibo.lab.report.Table;
 
 import java.util.ArrayList;
@@ -54,8 +55,9 @@ final class MovingSection {
                 .orElse(Integer.MAX_VALUE - 1);
     }
 
-    String title() {
-        return title + ", " + steps + " steps";
+    Passage passage() {
+        String told = title + ", " + steps + " steps";
+        return new Passage(told, told, "", table(), sentences());
     }
 
     Table table() {

@@ -4,7 +4,6 @@ import rigibo.lab.bench.scene.Pace;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
-import rigibo.lab.engine.Line;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.Work;
 
@@ -26,7 +25,7 @@ public final class BenchProbe {
 
     private BenchProbe(Engine engine, Scene scene, Pace pace) {
         this.engine = engine;
-        this.setting = usual(engine);
+        this.setting = Engines.usual(engine);
         this.scene = scene;
         this.pace = pace;
     }
@@ -36,12 +35,6 @@ public final class BenchProbe {
         BenchProbe probe = new BenchProbe(engine, scene, pace);
         probe.rehearse();
         return probe.time();
-    }
-
-    /** The preset of the game, or another engine as it comes. */
-    private static Setting usual(Engine engine) {
-        Setting first = engine.settings().get(0);
-        return first.line() == Line.PEERS ? first : Engines.setting(engine, "GAME");
     }
 
     private void rehearse() {

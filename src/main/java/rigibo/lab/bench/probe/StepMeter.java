@@ -1,24 +1,20 @@
 package rigibo.lab.bench.probe;
 
-import com.sun.management.ThreadMXBean;
-
-import java.lang.management.ManagementFactory;
+import rigibo.lab.child.ThreadUse;
 
 /** Measures single steps on the thread that makes them. */
 public final class StepMeter {
-
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     private long nanos;
     private long bytes;
 
     /** Makes a step. The processor's clock may allocate, so bytes are counted within it. */
     public void measure(Stage stage) {
-        long begun = THREADS.getCurrentThreadCpuTime();
-        long allocated = THREADS.getCurrentThreadAllocatedBytes();
+        long begun = ThreadUse.nanos();
+        long allocated = ThreadUse.bytes();
         stage.step();
-        bytes = THREADS.getCurrentThreadAllocatedBytes() - allocated;
-        nanos = THREADS.getCurrentThreadCpuTime() - begun;
+        bytes = ThreadUse.bytes() - allocated;
+        nanos = ThreadUse.nanos() - begun;
     }
 
     /** Processor time of the last step, ns. */

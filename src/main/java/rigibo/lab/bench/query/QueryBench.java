@@ -3,6 +3,7 @@ package rigibo.lab.bench.query;
 import rigibo.lab.bench.moving.Contestant;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.child.Progress;
+import rigibo.lab.report.Report;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -30,17 +31,16 @@ public record QueryBench(List<Contestant> contestants, int runs) {
      * @param tell is told how far it is
      * @throws IllegalStateException when a process breaks off, with what it said
      */
-    public QueryReport run(Consumer<String> tell) {
+    public Report run(Consumer<String> tell) {
         MeasuringJava java = MeasuringJava.onLastCore(HEAP_MEGABYTES);
-        String classPath = System.getProperty("java.class.path");
         Progress progress = new Progress(contestants.size(), tell);
         Map<Contestant, Answers> found = new LinkedHashMap<>();
         for (Contestant contestant : contestants) {
             List<String> told = List.of(contestant.engine(), contestant.setting(), "" + runs);
-            String line = java.run(classPath, QueryProbe.class, told, QueryProbe.MARK).get(0);
+            String line = java.run(QueryProbe.class, told, QueryProbe.MARK);
             found.put(contestant, Answers.parse(line));
             progress.done();
         }
-        return new QueryReport(found);
+        return new QueryReport(found).report();
     }
 }

@@ -1,7 +1,5 @@
 package rigibo.lab.bench.query;
 
-import com.sun.management.ThreadMXBean;
-
 import rigibo.backend.Pool;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
@@ -10,12 +8,12 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.bench.probe.StepTimes;
+import rigibo.lab.child.ThreadUse;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.World;
 
-import java.lang.management.ManagementFactory;
 import java.util.Random;
 
 /** The process: asks one engine rays of every kind, and ours what sensors cost. */
@@ -33,7 +31,6 @@ public final class QueryProbe {
 
     static final int VISITORS = 2000;
 
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final Effects TOUCHING = Effects.of(new Contacts());
 
     /** m between the places of discs, and their radius: a ray goes 20 m on average. */
@@ -83,9 +80,9 @@ public final class QueryProbe {
             double[] rays = kind.draw(kind.ordinal(), RAYS, side * APART);
             double[] times = new double[runs];
             for (int run = -WARM; run < runs; run++) {
-                long begun = THREADS.getCurrentThreadCpuTime();
+                long begun = ThreadUse.nanos();
                 double sum = ask(world, rays);
-                long taken = THREADS.getCurrentThreadCpuTime() - begun;
+                long taken = ThreadUse.nanos() - begun;
                 times[Math.max(0, run)] = (double) taken / RAYS;
                 met[kind.ordinal()] = sum / RAYS;
             }
@@ -122,9 +119,9 @@ public final class QueryProbe {
     private static void time(boolean senses, double[] times, int from) {
         Pool pool = drifting(senses);
         for (int i = 0; i < STEPS; i++) {
-            long begun = THREADS.getCurrentThreadCpuTime();
+            long begun = ThreadUse.nanos();
             pool.step(STEP);
-            times[from + i] = THREADS.getCurrentThreadCpuTime() - begun;
+            times[from + i] = ThreadUse.nanos() - begun;
         }
     }
 

@@ -2,6 +2,7 @@ package rigibo.lab.bench.query;
 
 import rigibo.lab.bench.moving.Contestant;
 import rigibo.lab.report.Amount;
+import rigibo.lab.report.Report;
 import rigibo.lab.report.Table;
 
 import java.util.ArrayList;
@@ -10,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /** What questions cost, for a terminal and for a page. */
-public final class QueryReport {
+final class QueryReport {
 
     /** Least time of the fastest peer, in times of ours. */
     private static final double FASTER = 2;
@@ -27,21 +28,8 @@ public final class QueryReport {
         this.found = found;
     }
 
-    /** For a terminal. */
-    public List<String> text() {
-        List<String> lines = new ArrayList<>(table().text());
-        lines.addAll(sentences());
-        return lines;
-    }
-
-    /** The measured part of a page of Markdown. */
-    public String markdown(String provenance) {
-        return provenance
-                + "\n\n"
-                + table().markdown()
-                + "\n"
-                + String.join("\n\n", sentences())
-                + "\n";
+    Report report() {
+        return Report.of(table(), sentences());
     }
 
     private Table table() {

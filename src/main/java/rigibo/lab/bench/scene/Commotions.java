@@ -4,6 +4,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -22,14 +23,14 @@ public final class Commotions {
     /** A pyramid that falls together from equal vertical gaps in m. */
     public static Scene settling(int base, double gap) {
         List<BodyDefinition> bodies = floor();
-        addPyramid(bodies, base, gap);
+        Solid.pyramid(Solid.box(1, 1), base, 1, gap).forEach(bodies::add);
         return scene(bodies);
     }
 
     /** A pyramid whose foot is struck each second, as hard as makes one of its boxes go 10 m/s. */
     public static Scene struck(int base) {
         List<BodyDefinition> bodies = floor();
-        addPyramid(bodies, base, 0);
+        Solid.pyramid(Solid.box(1, 1), base, 1, 0).forEach(bodies::add);
         double impulse = 10 * bodies.get(1).massProperties().mass();
         Effects effects = Crowd.EFFECTS.with(new Thrust());
         return new Scene(effects, stone(bodies), new Striker(1, impulse, 60));
@@ -80,15 +81,6 @@ public final class Commotions {
             bodies.add(BodyDefinition.dynamic(rod).at(x, 1 + 0.5 * row).angle(lean));
         }
         return scene(bodies);
-    }
-
-    private static void addPyramid(List<BodyDefinition> bodies, int base, double gap) {
-        for (int row = 0; row < base; row++) {
-            for (int i = 0; i < base - row; i++) {
-                double y = row + 0.5 + gap * (row + 1);
-                bodies.add(BodyDefinition.dynamic(BOX).at(i - (base - row - 1) / 2.0, y));
-            }
-        }
     }
 
     private static List<BodyDefinition> floor() {

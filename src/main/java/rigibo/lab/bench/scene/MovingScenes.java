@@ -19,6 +19,61 @@ public final class MovingScenes {
 
     private static final long SEED = 20;
 
+    private static final List<BenchScene> MORE =
+            List.of(
+                    scene(
+                            "struck",
+                            "a pyramid, 40 at the base, struck at its foot each second",
+                            () -> Commotions.struck(40)),
+                    scene(
+                            "towers",
+                            "20 towers of 30 boxes, the topmost of each pushed at 2 m/s",
+                            () -> Commotions.towers(20, 30)),
+                    scene(
+                            "belt",
+                            "80 boxes that a belt of 3 m/s jams against a wall",
+                            () -> Commotions.belt(80)),
+                    scene(
+                            "shaken",
+                            "100 boxes in a closed box shaken at 6 g and 3 Hz",
+                            () -> Commotions.shaken(100)),
+                    scene(
+                            "rods",
+                            "300 rods, a hundred times as long as thick, that fall crosswise",
+                            () -> Commotions.rods(300)),
+                    scene(
+                            "compounds",
+                            "1500 bodies of two to five parts that rain into a trough",
+                            () -> ShapeCrowds.compounds(1500, SEED)),
+                    scene(
+                            "capsules",
+                            "1500 capsules that rain into a trough",
+                            () -> ShapeCrowds.capsules(1500, SEED)),
+                    scene(
+                            "cave",
+                            "500 boxes and discs that fall in a cave of 2000 edges",
+                            () -> ShapeCrowds.cave(500, 2000, SEED)),
+                    scene(
+                            "joint-grid",
+                            "900 discs in a net of hinges that hangs by its corners",
+                            () -> Assemblies.grid(30)),
+                    scene(
+                            "ragdolls",
+                            "100 ragdolls of 11 bodies that fall on each other",
+                            () -> Assemblies.ragdolls(100)),
+                    scene(
+                            "bridge",
+                            "5 bridges of 40 planks, on each of which 10 discs fall",
+                            () -> Assemblies.bridges(5, 40)),
+                    scene(
+                            "doors",
+                            "50 doors, thrown open, that damped springs pull shut",
+                            () -> Assemblies.doors(50)),
+                    scene(
+                            "cars",
+                            "30 cars on springs that drive over bumps",
+                            () -> Assemblies.cars(30)));
+
     private MovingScenes() {}
 
     /** All of them. */
@@ -37,80 +92,8 @@ public final class MovingScenes {
                                     + " 2 cm",
                             () -> Commotions.settling(base, 0.02)));
         }
-        scenes.add(
-                scene(
-                        "struck",
-                        "a pyramid, 40 at the base, struck at its foot each second",
-                        () -> Commotions.struck(40)));
-        scenes.add(
-                scene(
-                        "towers",
-                        "20 towers of 30 boxes, the topmost of each pushed at 2 m/s",
-                        () -> Commotions.towers(20, 30)));
-        scenes.add(
-                scene(
-                        "belt",
-                        "80 boxes that a belt of 3 m/s jams against a wall",
-                        () -> Commotions.belt(80)));
-        scenes.add(
-                scene(
-                        "shaken",
-                        "100 boxes in a closed box shaken at 6 g and 3 Hz",
-                        () -> Commotions.shaken(100)));
-        scenes.add(
-                scene(
-                        "rods",
-                        "300 rods, a hundred times as long as thick, that fall crosswise",
-                        () -> Commotions.rods(300)));
-        addShapes(scenes);
-        addAssemblies(scenes);
+        scenes.addAll(MORE);
         return scenes;
-    }
-
-    private static void addShapes(List<BenchScene> scenes) {
-        scenes.add(
-                scene(
-                        "compounds",
-                        "1500 bodies of two to five parts that rain into a trough",
-                        () -> ShapeCrowds.compounds(1500, SEED)));
-        scenes.add(
-                scene(
-                        "capsules",
-                        "1500 capsules that rain into a trough",
-                        () -> ShapeCrowds.capsules(1500, SEED)));
-        scenes.add(
-                scene(
-                        "cave",
-                        "500 boxes and discs that fall in a cave of 2000 edges",
-                        () -> ShapeCrowds.cave(500, 2000, SEED)));
-    }
-
-    private static void addAssemblies(List<BenchScene> scenes) {
-        scenes.add(
-                scene(
-                        "joint-grid",
-                        "900 discs in a net of hinges that hangs by its corners",
-                        () -> Assemblies.grid(30)));
-        scenes.add(
-                scene(
-                        "ragdolls",
-                        "100 ragdolls of 11 bodies that fall on each other",
-                        () -> Assemblies.ragdolls(100)));
-        scenes.add(
-                scene(
-                        "bridge",
-                        "5 bridges of 40 planks, on each of which 10 discs fall",
-                        () -> Assemblies.bridges(5, 40)));
-        scenes.add(
-                scene(
-                        "doors",
-                        "50 doors, thrown open, that damped springs pull shut",
-                        () -> Assemblies.doors(50)));
-        scenes.add(
-                scene(
-                        "cars",
-                        "30 cars on springs that drive over bumps",
-                        () -> Assemblies.cars(30)));
     }
 
     /**

@@ -9,6 +9,7 @@ import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
+import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -28,7 +29,6 @@ final class Pyramids {
             Effects.of(new Gravity(0, -9.81), new Contacts(), new Rotation(), new Friction());
 
     private static final Material STONE = new Material(1, 0.6, 0);
-    private static final Polygon BOX = Polygon.box(1, 1);
 
     /** Floor beside each pyramid, m. */
     private static final double MARGIN = 5;
@@ -71,23 +71,17 @@ final class Pyramids {
         List<BodyDefinition> bodies = new ArrayList<>();
         double width = beside * (base + GAP);
         Polygon floor = Polygon.box(width + 2 * MARGIN, 1);
+        BodyDefinition box = Solid.box(1, 1).material(STONE);
         for (int storey = 0; storey < storeys; storey++) {
             double ground = storey * (base + HEADROOM);
             bodies.add(BodyDefinition.fixed(floor).at(0, ground - 0.5).material(STONE));
             for (int i = 0; i < beside; i++) {
                 double x = (base + GAP) * (i - (beside - 1) / 2.0);
-                add(bodies, base, x, ground);
+                Solid.pyramid(box, base, 1, 0)
+                        .map(one -> one.at(x + one.x(), ground + one.y()))
+                        .forEach(bodies::add);
             }
         }
         return new Scene(EFFECTS, bodies);
-    }
-
-    private static void add(List<BodyDefinition> bodies, int base, double middle, double ground) {
-        for (int row = 0; row < base; row++) {
-            for (int i = 0; i < base - row; i++) {
-                double x = middle + i - (base - row - 1) / 2.0;
-                bodies.add(BodyDefinition.dynamic(BOX).at(x, ground + row + 0.5).material(STONE));
-            }
-        }
     }
 }

@@ -8,7 +8,7 @@ import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.World;
-import rigibo.lab.report.MeasuredTable;
+import rigibo.lab.report.Report;
 
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
@@ -49,7 +49,7 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
      *
      * @param tell is told how far it is
      */
-    public MeasuredTable run(Consumer<String> tell) {
+    public Report run(Consumer<String> tell) {
         List<WorkersCourse> courses = new ArrayList<>();
         for (BenchScene scene : scenes) {
             List<WorkersCourse> found =

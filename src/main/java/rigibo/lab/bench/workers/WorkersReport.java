@@ -2,7 +2,7 @@ package rigibo.lab.bench.workers;
 
 import rigibo.lab.bench.probe.StepTimes;
 import rigibo.lab.report.Amount;
-import rigibo.lab.report.MeasuredTable;
+import rigibo.lab.report.Report;
 import rigibo.lab.report.Table;
 
 import java.util.List;
@@ -19,8 +19,8 @@ final class WorkersReport {
         this.comparedWith = comparedWith;
     }
 
-    MeasuredTable table() {
-        return new MeasuredTable(
+    Report table() {
+        return Report.of(
                 new Table(
                         List.of(
                                 "scene",
@@ -31,7 +31,8 @@ final class WorkersReport {
                                 "times as fast",
                                 "processor time",
                                 "steps that share"),
-                        courses.stream().map(this::row).toList()));
+                        courses.stream().map(this::row).toList()),
+                List.of());
     }
 
     private List<String> row(WorkersCourse course) {

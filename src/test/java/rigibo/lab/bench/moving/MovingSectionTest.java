@@ -32,7 +32,7 @@ class MovingSectionTest {
     /** The step that moves last is step 120 of one and 90 of the other, counted from 0. */
     @Test
     void stepsCountUntilNeitherMoves() {
-        assertThat(section(course(10_000, 120), course(10_000, 90)).title())
+        assertThat(section(course(10_000, 120), course(10_000, 90)).passage().title())
                 .isEqualTo("rain, 121 steps");
     }
 

@@ -71,7 +71,7 @@ class QueryBenchTest {
         Map<Contestant, Answers> found = new LinkedHashMap<>();
         found.put(OURS, answers(2, 2e5));
         found.put(PEER, answers(3, 0));
-        assertThat(new QueryReport(found).text())
+        assertThat(new QueryReport(found).report().text())
                 .contains(
                         "A level ray takes gdx-box2d 1.50 × as long as ours (≥ 2: not met), and"
                                 + " goes as far.",

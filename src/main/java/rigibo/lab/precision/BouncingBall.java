@@ -1,22 +1,20 @@
-package rigibo.lab.energy;
+package rigibo.lab.precision;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Rotation;
-import rigibo.backend.geometry.Circle;
-import rigibo.backend.setup.BodyDefinition;
-import rigibo.backend.setup.Material;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.World;
 import rigibo.lab.truth.Bounces;
 import rigibo.lab.truth.Earth;
+import rigibo.lab.truth.Solid;
 
 /**
  * A ball falls 2 m and rebounds with e = 0.8. Truth: after the n-th impact its energy is e²ⁿ of
  * what it was, and nothing takes any in between.
  */
-public final class BouncingBall {
+final class BouncingBall {
 
     private static final double HEIGHT = 2;
     private static final double ELASTICITY = 0.8;
@@ -27,15 +25,11 @@ public final class BouncingBall {
     private BouncingBall() {}
 
     /** Runs it with an engine at a setting. */
-    public static EnergyTrace trace(Engine engine, Setting setting) {
+    static EnergyTrace trace(Engine engine, Setting setting) {
         Effects effects = Earth.effects().without(Friction.class).without(Rotation.class);
         try (World world = engine.world(effects, setting)) {
             world.add(Earth.floor(0, ELASTICITY));
-            int ball =
-                    world.add(
-                            BodyDefinition.dynamic(new Circle(RADIUS))
-                                    .at(0, HEIGHT + RADIUS)
-                                    .material(new Material(1, 0, ELASTICITY)));
+            int ball = world.add(Solid.disc(RADIUS, 0, ELASTICITY).at(0, HEIGHT + RADIUS));
             return sample(engine, setting, world, ball);
         }
     }

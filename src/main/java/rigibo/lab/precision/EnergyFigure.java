@@ -1,4 +1,4 @@
-package rigibo.lab.energy;
+package rigibo.lab.precision;
 
 import rigibo.lab.plot.Anchor;
 import rigibo.lab.plot.Drawing;
@@ -19,7 +19,7 @@ import java.util.Locale;
 /**
  * Above, the energy of the ball and what it should be; below, how far the one is from the other.
  */
-public final class EnergyFigure {
+final class EnergyFigure {
 
     private static final int TITLE = 18;
     private static final int WORDS = 14;
@@ -43,23 +43,20 @@ public final class EnergyFigure {
 
     private final List<EnergyTrace> ours;
     private final List<EnergyTrace> others;
-    private final double width;
 
     /**
      * A figure.
      *
      * @param ours one trace for each preset
      * @param others one trace for each other engine, as it comes
-     * @param width px
      */
-    public EnergyFigure(List<EnergyTrace> ours, List<EnergyTrace> others, double width) {
+    EnergyFigure(List<EnergyTrace> ours, List<EnergyTrace> others) {
         this.ours = ours;
         this.others = others;
-        this.width = width;
     }
 
-    /** All of it. */
-    public Drawing drawing() {
+    /** All of it, so many px wide. */
+    Drawing drawing(double width) {
         Drawing drawing = new Drawing(width);
         double y = TITLE + 8;
         drawing.text(
@@ -68,24 +65,24 @@ public final class EnergyFigure {
         drawing.text(
                 10, y, Anchor.START, WORDS, Palette.DIM, "↑ share of the energy it began with");
         double energyBottom = y + 14 + ENERGY_HEIGHT;
-        energy(drawing, y + 14, energyBottom);
+        energy(drawing, width, y + 14, energyBottom);
         y = energyBottom + 52;
         drawing.text(
                 10, y, Anchor.START, WORDS, Palette.DIM, "↑ drift: how far from what it should be");
         double driftBottom = y + 14 + DRIFT_HEIGHT;
-        drift(drawing, y + 14, driftBottom);
+        drift(drawing, width, y + 14, driftBottom);
         drawing.text(width - RIGHT, driftBottom + 40, Anchor.END, WORDS, Palette.DIM, "seconds →");
         drawing.endAt(driftBottom + 54);
         return drawing;
     }
 
-    private Scale seconds() {
+    private Scale seconds(double width) {
         double[] seconds = ours.get(0).seconds();
         return new LinearScale(0, seconds[seconds.length - 1], LEFT, width - RIGHT);
     }
 
-    private void energy(Drawing drawing, double top, double bottom) {
-        Plot plot = new Plot(drawing, seconds(), new LinearScale(0, 1.1, bottom, top));
+    private void energy(Drawing drawing, double width, double top, double bottom) {
+        Plot plot = new Plot(drawing, seconds(width), new LinearScale(0, 1.1, bottom, top));
         plot.grid(EnergyFigure::plain, EnergyFigure::plain);
         LabelPlacer placer = new LabelPlacer(plot.box());
         EnergyTrace first = ours.get(0);
@@ -110,8 +107,8 @@ public final class EnergyFigure {
                         LABEL_REACH));
     }
 
-    private void drift(Drawing drawing, double top, double bottom) {
-        Plot plot = new Plot(drawing, seconds(), new LogScale(LEAST_DRIFT, 10, bottom, top));
+    private void drift(Drawing drawing, double width, double top, double bottom) {
+        Plot plot = new Plot(drawing, seconds(width), new LogScale(LEAST_DRIFT, 10, bottom, top));
         plot.grid(EnergyFigure::plain, tick -> Amount.power((int) Math.rint(Math.log10(tick))));
         LabelPlacer placer = new LabelPlacer(plot.box());
         List<Label> labels = new ArrayList<>();
@@ -169,7 +166,7 @@ public final class EnergyFigure {
     }
 
     /** What it shows, in words. */
-    public List<String> sentences() {
+    List<String> sentences() {
         List<String> sentences = new ArrayList<>();
         sentences.add(
                 "A ball falls 2 m and rebounds with e = 0.8: each impact takes 36 % of its energy"

@@ -1,18 +1,14 @@
-package rigibo.lab.crowd;
+package rigibo.lab.bench.crowd;
 
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.Flood;
+import rigibo.lab.bench.probe.StepTimes;
+import rigibo.lab.child.ThreadUse;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
-import rigibo.lab.engine.Line;
-import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.World;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
-import java.util.Arrays;
 import java.util.Comparator;
-import java.util.List;
 import java.util.stream.IntStream;
 
 /** The process: pours one flood with one engine and prints how long its steps took. */
@@ -21,7 +17,6 @@ public final class CrowdProbe {
     static final String MARK = "crowd ";
 
     private static final Flood TROUGH = new Flood(40, 0.25);
-    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final double NANOS_PER_MILLI = 1e6;
 
     /** Bodies that are not discs: the floor and the walls, which are added first. */
@@ -39,35 +34,27 @@ public final class CrowdProbe {
         int discs = Integer.parseInt(arguments[1]);
         int warm = Integer.parseInt(arguments[2]);
         double[] millis = new double[Integer.parseInt(arguments[3])];
-        try (World world = engine.world(Flood.FRICTIONLESS, usual(engine))) {
+        try (World world = engine.world(Flood.FRICTIONLESS, Engines.usual(engine))) {
             for (BodyDefinition body : TROUGH.bodies(discs, 0)) {
                 world.add(body);
             }
             for (int i = -warm; i < millis.length; i++) {
-                long begun = THREADS.getCurrentThreadCpuTime();
+                long begun = ThreadUse.nanos();
                 world.step(Flood.STEP);
                 if (i >= 0) {
-                    millis[i] = (THREADS.getCurrentThreadCpuTime() - begun) / NANOS_PER_MILLI;
+                    millis[i] = (ThreadUse.nanos() - begun) / NANOS_PER_MILLI;
                 }
             }
-            Arrays.sort(millis);
+            StepTimes times = new StepTimes(millis);
             CrowdPoint point =
                     new CrowdPoint(
                             engine.name(),
                             discs,
-                            millis[millis.length / 2],
-                            millis[millis.length * 99 / 100],
+                            times.median(),
+                            times.p99(),
                             deepest(world, discs) / TROUGH.radius());
             System.out.println(MARK + point.line());
         }
-    }
-
-    /** The preset of the game, or another engine as it comes. */
-    private static Setting usual(Engine engine) {
-        List<Setting> settings = engine.settings();
-        return settings.get(0).line() == Line.PEERS
-                ? settings.get(0)
-                : Engines.setting(engine, "GAME");
     }
 
     /** The deepest overlap of two discs, or of one and the floor, m, from where they are. */

@@ -1,4 +1,4 @@
-package rigibo.lab.crowd;
+package rigibo.lab.bench.crowd;
 
 /**
  * A flood of so many discs.

@@ -1,8 +1,7 @@
-package rigibo.lab.crowd;
+package rigibo.lab.bench.crowd;
 
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
-import rigibo.lab.child.Progress;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 
@@ -43,24 +42,20 @@ public final class Crowds {
      */
     public List<CrowdPoint> pour(Kept kept, Consumer<String> tell) {
         MeasuringJava java = MeasuringJava.onLastCore();
-        List<Engine> engines = Engines.all();
-        Progress progress = new Progress(engines.size() * sizes.size(), tell);
-        List<CrowdPoint> points = new ArrayList<>();
-        for (Engine engine : engines) {
+        List<List<String>> runs = new ArrayList<>();
+        for (Engine engine : Engines.all()) {
             for (int size : sizes) {
-                List<String> arguments = List.of(engine.name(), "" + size, "" + warm, "" + timed);
-                String name = String.join(" | ", arguments);
-                if (kept.of(name).isEmpty()) {
-                    String classPath = System.getProperty("java.class.path");
-                    kept.add(
-                            name,
-                            java.run(classPath, CrowdProbe.class, arguments, CrowdProbe.MARK)
-                                    .get(0));
-                }
-                points.add(CrowdPoint.parse(kept.of(name).orElseThrow()));
-                progress.done();
+                runs.add(List.of(engine.name(), "" + size, "" + warm, "" + timed));
             }
         }
-        return points;
+        kept.make(
+                runs, Crowds::name, run -> java.run(CrowdProbe.class, run, CrowdProbe.MARK), tell);
+        return runs.stream()
+                .map(run -> CrowdPoint.parse(kept.of(name(run)).orElseThrow()))
+                .toList();
+    }
+
+    private static String name(List<String> run) {
+        return String.join(" | ", run);
     }
 }

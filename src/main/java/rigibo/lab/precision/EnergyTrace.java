@@ -1,4 +1,4 @@
-package rigibo.lab.energy;
+package rigibo.lab.precision;
 
 /**
  * The energy of a run, sampled, as shares of what it began with.
@@ -11,7 +11,7 @@ package rigibo.lab.energy;
  * @param drift how far the first is from the second, where an impact that comes early or late by
  *     less than a step is no drift
  */
-public record EnergyTrace(
+record EnergyTrace(
         String engine,
         String setting,
         double[] seconds,
@@ -20,7 +20,7 @@ public record EnergyTrace(
         double[] drift) {
 
     /** The largest drift of all. */
-    public double most() {
+    double most() {
         double most = 0;
         for (double one : drift) {
             most = Math.max(most, one);

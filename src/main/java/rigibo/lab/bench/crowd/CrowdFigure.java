@@ -1,4 +1,4 @@
-package rigibo.lab.crowd;
+package rigibo.lab.bench.crowd;
 
 import rigibo.lab.plot.Anchor;
 import rigibo.lab.plot.Drawing;
@@ -39,17 +39,15 @@ public final class CrowdFigure {
 
     private final List<CrowdPoint> points;
     private final List<String> engines;
-    private final double width;
 
-    /** A figure, so many px wide. */
-    public CrowdFigure(List<CrowdPoint> points, double width) {
+    /** A figure of some points. */
+    public CrowdFigure(List<CrowdPoint> points) {
         this.points = points;
-        this.width = width;
         engines = points.stream().map(CrowdPoint::engine).distinct().toList();
     }
 
-    /** All of it. */
-    public Drawing drawing() {
+    /** All of it, so many px wide. */
+    public Drawing drawing(double width) {
         Drawing drawing = new Drawing(width);
         double y = TITLE + 8;
         drawing.text(10, y, Anchor.START, TITLE, Palette.INK, "How many discs hold 60 Hz");
@@ -58,7 +56,7 @@ public final class CrowdFigure {
                 10, y, Anchor.START, WORDS, Palette.DIM, "↑ time of a step, median, one thread");
         double top = y + 14;
         double bottom = top + HEIGHT;
-        Plot plot = new Plot(drawing, across(), up(bottom, top));
+        Plot plot = new Plot(drawing, across(width), up(bottom, top));
         plot.grid(CrowdFigure::count, tick -> Amount.time(tick * NANOS_PER_MILLI));
         LabelPlacer placer = new LabelPlacer(plot.box());
         frame(drawing, plot, placer);
@@ -74,7 +72,7 @@ public final class CrowdFigure {
         return drawing;
     }
 
-    private LogScale across() {
+    private LogScale across(double width) {
         double least = points.stream().mapToDouble(CrowdPoint::bodies).min().orElseThrow();
         double most = points.stream().mapToDouble(CrowdPoint::bodies).max().orElseThrow();
         return new LogScale(least / 1.3, most * 1.6, LEFT, width - RIGHT);

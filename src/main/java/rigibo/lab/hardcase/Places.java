@@ -1,0 +1,30 @@
+package rigibo.lab.hardcase;
+
+import rigibo.backend.RigidBody;
+
+import java.util.List;
+
+/** Where some bodies were. */
+final class Places {
+
+    private final List<RigidBody> bodies;
+    private final double[] x;
+    private final double[] y;
+
+    /** Where they are now. */
+    Places(List<RigidBody> bodies) {
+        this.bodies = bodies;
+        x = bodies.stream().mapToDouble(RigidBody::x).toArray();
+        y = bodies.stream().mapToDouble(RigidBody::y).toArray();
+    }
+
+    /** How far the one that has moved farthest since is from where it was, m. */
+    double farthest() {
+        double most = 0;
+        for (int i = 0; i < x.length; i++) {
+            RigidBody body = bodies.get(i);
+            most = Math.max(most, Math.hypot(body.x() - x[i], body.y() - y[i]));
+        }
+        return most;
+    }
+}
