@@ -23,6 +23,9 @@ import java.util.stream.Collectors;
  */
 final class PageBuild {
 
+    /** The checkout that the page is made from. */
+    private static final Path HOME = Path.of(System.getProperty("rigibo.home", ""));
+
     private final Path folder;
 
     PageBuild(Path folder) {
@@ -32,11 +35,23 @@ final class PageBuild {
     /** Makes all of it anew. */
     void build() throws IOException, TeaVMToolException {
         buildBits();
+        buildGame();
         copy("/web/gallery.js", "gallery.js");
         copy("/web/gallery.css", "gallery.css");
-        GalleryText.write(folder.resolve("index.html"), Locale.ENGLISH);
-        GalleryText.write(folder.resolve("de.html"), Locale.GERMAN);
+        GalleryText.write(folder.resolve("gallery.html"), Locale.ENGLISH);
+        GalleryText.write(folder.resolve("gallery-de.html"), Locale.GERMAN);
         compile("rigibo.web.gallery.GalleryPage", "gallery.wasm");
+    }
+
+    /** Makes the page of the game. */
+    void buildGame() throws IOException, TeaVMToolException {
+        Files.createDirectories(folder);
+        copy("/org/teavm/backend/wasm/wasm-gc-runtime.min.js", "wasm-gc-runtime.js");
+        new GameFiles(HOME).write(folder);
+        copy("/web/index.html", "index.html");
+        copy("/web/game.js", "game.js");
+        copy("/web/game.css", "game.css");
+        compile("rigibo.web.game.GamePage", "game.wasm");
     }
 
     /** Makes the page that shows what programs come to. */
@@ -64,6 +79,7 @@ final class PageBuild {
         tool.setObfuscated(true);
         tool.setStrict(true);
         tool.getTransformers().add(SignedZeros.class.getName());
+        tool.getTransformers().add(MissingMethods.class.getName());
         tool.setClassLoader(PageBuild.class.getClassLoader());
         tool.setClassPath(classPath());
         tool.generate();
