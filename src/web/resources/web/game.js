@@ -17,3 +17,7 @@ Promise.all([
     show('This browser lacks WebAssembly with garbage collection or WebGL 2, which RigiBo needs.');
     console.warn(problem);
 });
+
+if ('serviceWorker' in navigator) {
+    navigator.serviceWorker.register('offline.js').catch(problem => console.warn(problem));
+}

@@ -54,17 +54,17 @@ public final class PageDisplay implements Director {
         decoder = decoding;
     }
 
-    /** Opens the menu and goes on as long as the page is there. */
-    public void run() {
-        open(menu.apply(this));
+    /** Opens a scene, the menu if none is given, and goes on as long as the page is there. */
+    public void run(Optional<Function<Director, Scene>> first) {
+        open(first.orElse(menu).apply(this));
         Window.requestAnimationFrame(this::picture);
     }
 
     private void picture(double millis) {
+        Window.requestAnimationFrame(this::picture);
         if (clock.beginsTurn()) {
             turn();
         }
-        Window.requestAnimationFrame(this::picture);
     }
 
     private void turn() {
@@ -215,6 +215,6 @@ public final class PageDisplay implements Director {
             params = "wanted",
             script =
                     "if (wanted) { document.documentElement.requestFullscreen(); } else if"
-                        + " (document.fullscreenElement) { document.exitFullscreen(); }")
+                            + " (document.fullscreenElement) { document.exitFullscreen(); }")
     private static native void fill(boolean wanted);
 }

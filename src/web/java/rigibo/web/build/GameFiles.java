@@ -1,5 +1,10 @@
 package rigibo.web.build;
 
+import rigibo.frontend.puzzle.level.LevelLoader;
+import rigibo.frontend.puzzle.level.LevelShelf;
+import rigibo.frontend.puzzle.level.LoadedLevel;
+import rigibo.web.Bits;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,7 +25,16 @@ final class GameFiles {
         this.home = home;
     }
 
+    /** Files that show whether the bits are the same: levels, and runs of them. */
+    static void writeRuns(Path home, Path runs, Path to) throws IOException {
+        GameFiles files = new GameFiles(home);
+        files.add("levels", home.resolve("levels"), ".json");
+        files.add(Bits.RUNS, runs, ".json");
+        Files.writeString(to, files.all);
+    }
+
     void write(Path folder) throws IOException {
+        requireSoundLevels();
         add("levels", home.resolve("levels"), ".json");
         add("assets/shaders", home.resolve("assets/shaders"), ".glsl");
         add("words", home.resolve("build/resources/main/rigibo"), ".properties");
@@ -28,6 +42,17 @@ final class GameFiles {
         Files.writeString(folder.resolve("files.txt"), all);
         font("Quicksand-Bold.ttf", folder.resolve("words.ttf"));
         font("JetBrainsMono-Medium.ttf", folder.resolve("numbers.ttf"));
+    }
+
+    /** The page has no schema to hold them against. */
+    private static void requireSoundLevels() throws IOException {
+        LevelLoader loader = new LevelLoader();
+        for (Path file : LevelShelf.files()) {
+            LoadedLevel loaded = loader.load(file);
+            if (loaded.level().isEmpty()) {
+                throw new IOException("a level cannot be played: " + loaded.problems());
+            }
+        }
     }
 
     /** Words are called by their bundle's whole name. */

@@ -26,6 +26,7 @@ public final class MissingMethods implements ClassHolderTransformer {
 
     private static final Set<String> STATIC =
             Set.of(
+                    "java.lang.String.format",
                     "java.util.Locale.forLanguageTag",
                     "java.util.Collections.emptySortedMap",
                     "java.util.Collections.unmodifiableSortedMap",

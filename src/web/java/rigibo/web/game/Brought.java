@@ -10,12 +10,12 @@ import java.nio.file.Path;
  * The files that the page has brought along, in one text: of each a line with its name and the
  * number of its characters, and then those.
  */
-final class Brought {
+public final class Brought {
 
     private Brought() {}
 
     /** Puts them into a folder of the memory, where the game looks for them. */
-    static void unpackTo(Path folder) throws IOException {
+    public static void unpackTo(Path folder) throws IOException {
         String all = text();
         int at = 0;
         while (at < all.length()) {

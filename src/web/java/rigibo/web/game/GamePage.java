@@ -1,6 +1,7 @@
 package rigibo.web.game;
 
 import org.teavm.jso.JSBody;
+import org.teavm.jso.browser.Window;
 
 import rigibo.frontend.demo.Demos;
 import rigibo.frontend.display.PageDisplay;
@@ -19,6 +20,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Stream;
 
 /** Starts the game in a page. */
 public final class GamePage {
@@ -38,7 +42,7 @@ public final class GamePage {
         SavedPlayer player = new SavedPlayer(Places.in(PLAYER), language());
         display.add(new PageDisplay(GamePage::menu, GamePage::levels, player));
         display.get(0).opensCodesBy(PlayerFiles::pasted);
-        display.get(0).run();
+        display.get(0).run(asked());
         keeping.begin();
     }
 
@@ -48,6 +52,15 @@ public final class GamePage {
         entries.addAll(Demos.entries());
         entries.add(Gallery.entry());
         return entries;
+    }
+
+    /** The scene that the page's link names, such as {@code #flood}. */
+    private static Optional<Function<Director, Scene>> asked() {
+        String name = Window.current().getLocation().getHash().replace("#", "");
+        return Stream.concat(entries().stream(), Gallery.exhibits().stream())
+                .filter(entry -> entry.name().equals(name))
+                .findFirst()
+                .map(SceneEntry::open);
     }
 
     private static Scene menu(Director director) {

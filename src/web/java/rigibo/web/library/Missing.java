@@ -25,6 +25,16 @@ public final class Missing {
 
     private Missing() {}
 
+    /** Of {@link String}, whose own form knows no floating point. */
+    public static String format(String format, Object... values) {
+        return format(Locale.ROOT, format, values);
+    }
+
+    /** Of {@link String}. */
+    public static String format(Locale locale, String format, Object... values) {
+        return new Format(locale).of(format, values);
+    }
+
     /** Of {@link Locale}. */
     public static Locale forLanguageTag(String language) {
         return new Locale(language);
