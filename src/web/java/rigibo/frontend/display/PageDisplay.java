@@ -11,6 +11,7 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.sound.Speaker;
 
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -29,6 +30,7 @@ public final class PageDisplay implements Director {
     private final FrameClock clock = new FrameClock(System::nanoTime, nanos -> {});
     private final Curtain curtain = new Curtain();
     private final Toast toast = new Toast();
+    private final Speaker speaker = new Speaker();
     private final PageSurface surface = new PageSurface();
     private final PageInput input = new PageInput(surface, this);
     private BiFunction<Director, String, Optional<Scene>> decoder =
@@ -47,6 +49,8 @@ public final class PageDisplay implements Director {
         this.levels = levels;
         this.player = player;
         words = new Words(player.settings());
+        speaker.settings(player.settings());
+        speaker.plugIn();
     }
 
     /** Sets the function that makes a scene of a code that is pasted; none of what is no code. */
@@ -75,6 +79,7 @@ public final class PageDisplay implements Director {
         do {
             if (wanted == null) {
                 scene.step();
+                speaker.turn();
             }
         } while (clock.isAnotherDueOf(FrameClock.MOST_STEPS));
         double dark = wanted == null ? curtain.rise() : Curtain.fallen(fallen);
@@ -143,6 +148,7 @@ public final class PageDisplay implements Director {
             fill(changed.isFullScreen());
         }
         player.settings(changed);
+        speaker.settings(changed);
         words = new Words(changed);
     }
 
@@ -162,7 +168,7 @@ public final class PageDisplay implements Director {
 
     @Override
     public Sounds sounds() {
-        return Silence.SOUNDS;
+        return speaker;
     }
 
     @Override

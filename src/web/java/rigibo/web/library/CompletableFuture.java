@@ -3,7 +3,7 @@ package rigibo.web.library;
 import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 
-/** What will be known later, and is asked for only once it is. */
+/** What will be known later, and is waited for by nobody. */
 public final class CompletableFuture<T> {
 
     private T value;
@@ -15,6 +15,24 @@ public final class CompletableFuture<T> {
         CompletableFuture<T> future = new CompletableFuture<>();
         executor.execute(() -> future.find(source));
         return future;
+    }
+
+    /** A value that is known already. */
+    public static <T> CompletableFuture<T> completedFuture(T value) {
+        CompletableFuture<T> future = new CompletableFuture<>();
+        future.complete(value);
+        return future;
+    }
+
+    public boolean complete(T found) {
+        value = found;
+        isDone = true;
+        return true;
+    }
+
+    /** The value if it is there. */
+    public T getNow(T otherwise) {
+        return isDone ? value : otherwise;
     }
 
     private void find(Supplier<T> source) {
