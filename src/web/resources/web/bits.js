@@ -4,6 +4,9 @@ console.log = (...words) => {
     lines.textContent += words.join(' ') + '\n';
 };
 
-TeaVM.wasmGC.load('bits.wasm')
-    .then(program => program.exports.main([]))
+Promise.all([TeaVM.wasmGC.load('bits.wasm'), fetch('bits.txt').then(answer => answer.text())])
+    .then(([program, files]) => {
+        window.rigiboFiles = files;
+        program.exports.main([]);
+    })
     .catch(problem => console.log('This browser cannot run it: ' + problem));

@@ -23,7 +23,7 @@ class BitsInBrowserTest {
     @TempDir private Path folder;
 
     @Test
-    void randomProgramsEndInTheSameState() throws IOException, InterruptedException {
+    void randomProgramsAndRecordedRunsEndInTheSameState() throws IOException, InterruptedException {
         Path places = HOME.resolve("build/start/web.classpath");
         assumeTrue(
                 Files.exists(places), "./rigibo web was never asked for: what it needs is missing");
@@ -36,6 +36,7 @@ class BitsInBrowserTest {
                 new ProcessBuilder(
                                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                                 "-XX:+UseSerialGC",
+                                "-Drigibo.home=" + HOME,
                                 "-cp",
                                 classPath,
                                 "rigibo.web.build.WebCommand",
@@ -48,6 +49,6 @@ class BitsInBrowserTest {
         String words = Files.readString(said);
         assertThat(status).as(words).isZero();
         assumeTrue(!words.contains("There is no Chromium"), words);
-        assertThat(words).contains("100 of 100 programs have the bits of the JVM");
+        assertThat(words).contains("140 of 140 programs and runs have the bits of the JVM");
     }
 }

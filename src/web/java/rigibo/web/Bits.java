@@ -1,19 +1,34 @@
 package rigibo.web;
 
+import rigibo.frontend.puzzle.Replays;
+import rigibo.frontend.puzzle.replay.LoadedReplay;
+import rigibo.frontend.puzzle.replay.Proof;
+import rigibo.frontend.puzzle.replay.ReplayShelf;
 import rigibo.fuzz.program.Operation;
 import rigibo.fuzz.program.Program;
 import rigibo.fuzz.program.Programs;
 import rigibo.fuzz.program.Stage;
 import rigibo.fuzz.program.Witness;
+import rigibo.web.game.Brought;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
 
 /**
- * Runs random programs and prints the hash of the state that each leaves: the same lines on the JVM
- * and in a browser.
+ * Prints the hash of the state that each of some random programs leaves, and whether runs of levels
+ * go as they were recorded: the same lines on the JVM and in a browser.
  */
 public final class Bits {
 
     /** What all lines begin with. */
-    public static final String MARK = "program ";
+    public static final String MARK = "bits of ";
+
+    /** Name of the folder of recorded runs among the files of the page. */
+    public static final String RUNS = "runs";
+
+    private static final Path HOME = Path.of("/game");
 
     /** Programs that are run. */
     private static final int COUNT = 100;
@@ -25,10 +40,34 @@ public final class Bits {
 
     private Bits() {}
 
-    public static void main(String[] arguments) {
+    /** In a browser, with the files that the page has brought along. */
+    public static void main(String[] arguments) throws IOException {
+        System.setProperty("rigibo.home", HOME.toString());
+        Brought.unpackTo(HOME);
+        print(HOME.resolve(RUNS));
+    }
+
+    /** Prints all lines, with the recorded runs of a folder. */
+    public static void print(Path runs) throws IOException {
         for (int index = 0; index < COUNT; index++) {
-            System.out.println(MARK + index + ": " + outcome(Programs.of(SEED, index)));
+            System.out.println(
+                    MARK + "program " + index + ": " + outcome(Programs.of(SEED, index)));
         }
+        Replays replays = Replays.ofGame();
+        try (Stream<Path> files = Files.list(runs)) {
+            for (Path file : files.filter(Bits::isRun).sorted().toList()) {
+                LoadedReplay loaded = replays.load(file);
+                String outcome =
+                        loaded.recording()
+                                .map(run -> Proof.of(run).toString())
+                                .orElse(loaded.problems().toString());
+                System.out.println(MARK + file.getFileName() + ": " + outcome);
+            }
+        }
+    }
+
+    private static boolean isRun(Path file) {
+        return file.toString().endsWith(ReplayShelf.ENDING);
     }
 
     private static String outcome(Program program) {

@@ -98,6 +98,25 @@ final class FrameClock {
             }
             now = nanoseconds.getAsLong();
         }
+        begin(now);
+    }
+
+    /**
+     * Begins the next turn if it is due within half a step, for whoever is called at each picture
+     * of a monitor and cannot wait.
+     *
+     * @return whether it began
+     */
+    boolean beginsTurn() {
+        long now = nanoseconds.getAsLong();
+        if (now + SECOND / RATE / 2 < due()) {
+            return false;
+        }
+        begin(now);
+        return true;
+    }
+
+    private void begin(long now) {
         average(now - turn);
         turn = now;
         stepsInTurn = 0;

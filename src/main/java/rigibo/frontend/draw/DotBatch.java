@@ -20,7 +20,7 @@ final class DotBatch {
     private static final Color RIVET_COLOR = Color.of(0x8A94A6);
     private static final Color RIVET_GLINT = Color.of(0xC4CCD8);
 
-    private final Triangles triangles = Plates.triangles();
+    private final Triangles triangles = PlateVertex.triangles();
 
     /** Adds a disc about a point of a body, m. */
     void add(OnScreen at, double localX, double localY, double radius, Color color) {
@@ -32,7 +32,7 @@ final class DotBatch {
             double dx = Triangles.SQUARE[i] * drawn;
             double dy = Triangles.SQUARE[i + 1] * drawn;
             FloatBuffer to = at.vertex(triangles, localX + dx, localY + dy);
-            Plates.put(to, dx * scale, dy * scale, reach, reach, reach, color);
+            PlateVertex.put(to, dx * scale, dy * scale, reach, reach, reach, color);
         }
     }
 

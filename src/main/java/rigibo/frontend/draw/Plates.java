@@ -13,28 +13,7 @@ final class Plates {
 
     private final Program program = new Program("plate", "plate");
 
-    private final Triangles triangles = triangles();
-
-    /** Triangles for the plates' program: position, way from the centre, extents, colour. */
-    static Triangles triangles() {
-        return new Triangles(2, 2, 3, 4);
-    }
-
-    /**
-     * What follows a vertex's position: its way from the centre, the plate's extents, its colour.
-     */
-    static void put(
-            FloatBuffer to,
-            double wayX,
-            double wayY,
-            double halfWidth,
-            double halfHeight,
-            double corner,
-            Color color) {
-        to.put((float) wayX).put((float) wayY);
-        to.put((float) halfWidth).put((float) halfHeight).put((float) corner);
-        to.put(color.red()).put(color.green()).put(color.blue()).put(color.alpha());
-    }
+    private final Triangles triangles = PlateVertex.triangles();
 
     /** A rectangle from its upper left corner, logical px. */
     void add(double x, double y, double width, double height, double corner, Color color) {
@@ -47,7 +26,7 @@ final class Plates {
             double wayY = Triangles.SQUARE[i + 1] * (halfHeight + 0.5);
             FloatBuffer to = triangles.vertex();
             to.put((float) (x + halfWidth + wayX)).put((float) (y + halfHeight + wayY));
-            put(to, wayX, wayY, halfWidth, halfHeight, rounded, color);
+            PlateVertex.put(to, wayX, wayY, halfWidth, halfHeight, rounded, color);
         }
     }
 

@@ -1,5 +1,6 @@
 package rigibo.frontend.gallery;
 
+import rigibo.frontend.scene.Bundles;
 import rigibo.frontend.scene.Words;
 
 import java.util.MissingResourceException;
@@ -34,12 +35,7 @@ final class ExhibitWords {
 
     private String find(String key, String otherwise) {
         try {
-            ResourceBundle bundle =
-                    ResourceBundle.getBundle(
-                            BUNDLE,
-                            words.locale(),
-                            ResourceBundle.Control.getNoFallbackControl(
-                                    ResourceBundle.Control.FORMAT_DEFAULT));
+            ResourceBundle bundle = Bundles.of(BUNDLE, words.locale());
             return bundle.containsKey(key) ? bundle.getString(key) : otherwise;
         } catch (MissingResourceException e) {
             // No bundle at all: exhibits that a stranger put on the class path.

@@ -4,7 +4,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.ServiceLoader;
 import java.util.stream.Collectors;
 
 /** Every registered exhibit, in the order of registration. */
@@ -13,9 +12,7 @@ final class Exhibits {
     private Exhibits() {}
 
     static List<Found> all() {
-        return ServiceLoader.load(Exhibit.class).stream()
-                .map(provider -> new Found(provider.type(), provider))
-                .toList();
+        return Registered.all();
     }
 
     static Optional<Found> named(String name) {

@@ -111,7 +111,9 @@ public final class MenuScene implements Scene {
         row.add(button(0, "menu.levels", director::showLevels));
         row.add(button(1, "menu.statistics", () -> director.show(statistics(entries))));
         row.add(button(2, "menu.settings", () -> director.show(new SettingsScene(director))));
-        row.add(button(3, "menu.quit", director::quit));
+        if (director.canQuit()) {
+            row.add(button(3, "menu.quit", director::quit));
+        }
         return row;
     }
 
@@ -120,7 +122,8 @@ public final class MenuScene implements Scene {
     }
 
     private Tile button(int column, String key, Runnable action) {
-        double width = (2 * CARD_WIDTH + GAP - (ROW_COUNT - 1) * GAP) / ROW_COUNT;
+        int count = director.canQuit() ? ROW_COUNT : ROW_COUNT - 1;
+        double width = (2 * CARD_WIDTH + GAP - (count - 1) * GAP) / count;
         double x = CARDS_LEFT + column * (width + GAP);
         return new Tile(
                 x,
@@ -233,6 +236,9 @@ public final class MenuScene implements Scene {
     public boolean escaped() {
         if (notice.isShown()) {
             notice.dismiss();
+            return true;
+        }
+        if (!director.canQuit()) {
             return true;
         }
         boolean isAsked = tiles.chosen() == quit;

@@ -9,9 +9,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 
@@ -38,13 +35,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
     private final Path measurements;
     private final List<String> told = new ArrayList<>();
     private final AtomicBoolean isDue = new AtomicBoolean();
-    private final ScheduledExecutorService writer =
-            Executors.newSingleThreadScheduledExecutor(
-                    work -> {
-                        Thread thread = new Thread(work, "saving");
-                        thread.setDaemon(true);
-                        return thread;
-                    });
+    private final Writer writer = new Writer();
 
     /**
      * Reads what is there. Never fails: what cannot be read becomes a notice.
@@ -119,8 +110,8 @@ public final class SavedPlayer implements Player, AutoCloseable {
     }
 
     private void saveIn(long millis) {
-        if (!writer.isShutdown() && isDue.compareAndSet(false, true)) {
-            writer.schedule(this::save, millis, TimeUnit.MILLISECONDS);
+        if (!writer.isClosed() && isDue.compareAndSet(false, true)) {
+            writer.in(millis, this::save);
         }
     }
 
@@ -137,7 +128,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
     /** Writes what is not written yet, and waits for it. */
     @Override
     public void close() {
-        writer.shutdown();
+        writer.close();
         save();
     }
 }

@@ -19,8 +19,13 @@ public interface Director {
     /** Goes back to the list of levels. */
     void showLevels();
 
-    /** Ends the game. */
+    /** Ends the game, where it can be ended from within. */
     void quit();
+
+    /** Whether the game can be ended from within: a page is left by closing it. */
+    default boolean canQuit() {
+        return true;
+    }
 
     /** The player, and what is remembered of him or her. */
     Player player();

@@ -37,12 +37,7 @@ public final class Words {
     private Words(String language, KeyBindings bindings) {
         this.bindings = bindings;
         locale = Locale.forLanguageTag(language);
-        bundle =
-                ResourceBundle.getBundle(
-                        BUNDLE,
-                        locale,
-                        ResourceBundle.Control.getNoFallbackControl(
-                                ResourceBundle.Control.FORMAT_DEFAULT));
+        bundle = Bundles.of(BUNDLE, locale);
     }
 
     /**

@@ -16,15 +16,17 @@ final class BitsCheck {
     private BitsCheck() {}
 
     /** Says how many are alike, and the first that is not; returns whether all are. */
-    static boolean compare(Browser browser, Path folder) throws IOException, InterruptedException {
-        List<String> here = lines(onJvm());
+    static boolean compare(Browser browser, Path folder, Path runs)
+            throws IOException, InterruptedException {
+        List<String> here = lines(onJvm(runs));
         List<String> there;
         try (LocalServer server = new LocalServer(folder, 0)) {
             there = lines(browser.shown(server.address("bits.html")));
         }
         long alike = here.stream().filter(there::contains).count();
         System.out.printf(
-                "%d of %d programs have the bits of the JVM in %s%n", alike, here.size(), browser);
+                "%d of %d programs and runs have the bits of the JVM in %s%n",
+                alike, here.size(), browser);
         here.stream()
                 .filter(line -> !there.contains(line))
                 .findFirst()
@@ -33,12 +35,12 @@ final class BitsCheck {
         return alike == here.size();
     }
 
-    private static String onJvm() {
+    private static String onJvm(Path runs) throws IOException {
         PrintStream console = System.out;
         ByteArrayOutputStream written = new ByteArrayOutputStream();
         System.setOut(new PrintStream(written, true, StandardCharsets.UTF_8));
         try {
-            Bits.main(new String[0]);
+            Bits.print(runs);
         } finally {
             System.setOut(console);
         }

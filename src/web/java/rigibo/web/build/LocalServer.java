@@ -18,7 +18,11 @@ final class LocalServer implements AutoCloseable {
                     "html", "text/html; charset=utf-8",
                     "js", "text/javascript; charset=utf-8",
                     "css", "text/css; charset=utf-8",
-                    "wasm", "application/wasm");
+                    "wasm", "application/wasm",
+                    "txt", "text/plain; charset=utf-8",
+                    "ttf", "font/ttf",
+                    "svg", "image/svg+xml",
+                    "webmanifest", "application/manifest+json");
 
     private static final int NOT_FOUND = 404;
     private static final int FOUND = 200;

@@ -5,16 +5,11 @@ import org.teavm.tooling.TeaVMTool;
 import org.teavm.tooling.TeaVMToolException;
 import org.teavm.vm.TeaVMOptimizationLevel;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.Arrays;
-import java.util.List;
-import java.util.Locale;
-import java.util.stream.Collectors;
 
 /**
  * Writes the folder of static files that is the page. Programs become WebAssembly: TeaVM's
@@ -23,25 +18,33 @@ import java.util.stream.Collectors;
  */
 final class PageBuild {
 
+    /** The checkout that the page is made from. */
+    private static final Path HOME = Path.of(System.getProperty("rigibo.home", ""));
+
     private final Path folder;
 
     PageBuild(Path folder) {
         this.folder = folder;
     }
 
-    /** Makes all of it anew. */
+    /** Makes the page of the game. */
     void build() throws IOException, TeaVMToolException {
-        buildBits();
-        copy("/web/gallery.js", "gallery.js");
-        copy("/web/gallery.css", "gallery.css");
-        GalleryText.write(folder.resolve("index.html"), Locale.ENGLISH);
-        GalleryText.write(folder.resolve("de.html"), Locale.GERMAN);
-        compile("rigibo.web.gallery.GalleryPage", "gallery.wasm");
+        Files.createDirectories(folder);
+        copy("/org/teavm/backend/wasm/wasm-gc-runtime.min.js", "wasm-gc-runtime.js");
+        new GameFiles(HOME).write(folder);
+        copy("/web/index.html", "index.html");
+        copy("/web/game.js", "game.js");
+        copy("/web/game.css", "game.css");
+        copy("/web/manifest.webmanifest", "manifest.webmanifest");
+        copy("/web/icon.svg", "icon.svg");
+        compile("rigibo.web.game.GamePage", "game.wasm");
+        Offline.write(folder);
     }
 
-    /** Makes the page that shows what programs come to. */
-    void buildBits() throws IOException, TeaVMToolException {
+    /** Makes the page that shows whether recorded runs, and programs, have the JVM's bits. */
+    void buildBits(Path runs) throws IOException, TeaVMToolException {
         Files.createDirectories(folder);
+        GameFiles.writeRuns(HOME, runs, folder.resolve("bits.txt"));
         copy("/web/bits.html", "bits.html");
         copy("/web/bits.js", "bits.js");
         copy("/org/teavm/backend/wasm/wasm-gc-runtime.min.js", "wasm-gc-runtime.js");
@@ -64,18 +67,13 @@ final class PageBuild {
         tool.setObfuscated(true);
         tool.setStrict(true);
         tool.getTransformers().add(SignedZeros.class.getName());
-        tool.setClassLoader(PageBuild.class.getClassLoader());
-        tool.setClassPath(classPath());
+        tool.getTransformers().add(MissingMethods.class.getName());
+        tool.setClassLoader(PageClasses.find());
+        tool.setClassPath(PageClasses.places());
         tool.generate();
         String problems = Problems.of(tool.getProblemProvider());
         if (!problems.isEmpty()) {
             throw new TeaVMToolException(start + " cannot run in a browser:\n" + problems);
         }
-    }
-
-    private static List<File> classPath() {
-        return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
-                .map(File::new)
-                .collect(Collectors.toList());
     }
 }

@@ -3,6 +3,7 @@ package rigibo.web.build;
 import org.teavm.diagnostics.DefaultProblemTextConsumer;
 import org.teavm.diagnostics.Problem;
 import org.teavm.diagnostics.ProblemProvider;
+import org.teavm.model.CallLocation;
 
 import java.util.stream.Collectors;
 
@@ -21,6 +22,7 @@ final class Problems {
     private static String line(Problem problem) {
         DefaultProblemTextConsumer words = new DefaultProblemTextConsumer();
         problem.render(words);
-        return words.getText() + " (" + problem.getLocation().getSourceLocation() + ")";
+        CallLocation place = problem.getLocation();
+        return words.getText() + (place == null ? "" : " (" + place.getMethod() + ")");
     }
 }

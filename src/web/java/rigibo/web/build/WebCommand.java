@@ -39,7 +39,8 @@ final class WebCommand {
             System.out.println("There is no Chromium here: nothing is compared.");
             return true;
         }
-        new PageBuild(folder).buildBits();
-        return BitsCheck.compare(browser.get(), folder);
+        Path runs = Recorded.runs();
+        new PageBuild(folder).buildBits(runs);
+        return BitsCheck.compare(browser.get(), folder, runs);
     }
 }

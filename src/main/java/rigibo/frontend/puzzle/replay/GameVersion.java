@@ -1,6 +1,8 @@
 package rigibo.frontend.puzzle.replay;
 
-import java.util.ResourceBundle;
+import rigibo.frontend.scene.Bundles;
+
+import java.util.Locale;
 
 /** The version of the game. */
 final class GameVersion {
@@ -9,6 +11,6 @@ final class GameVersion {
 
     /** As the build states it. */
     static String present() {
-        return ResourceBundle.getBundle("rigibo.version").getString("version");
+        return Bundles.of("rigibo.version", Locale.ROOT).getString("version");
     }
 }

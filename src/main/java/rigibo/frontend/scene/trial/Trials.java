@@ -2,8 +2,6 @@ package rigibo.frontend.scene.trial;
 
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
@@ -37,15 +35,8 @@ public final class Trials {
 
     /** Trials with a thread of their own, which begins with the first of them. */
     public static Trials inBackground() {
-        ExecutorService thread = Executors.newSingleThreadExecutor(Trials::thread);
-        return new Trials(thread, System::nanoTime, thread::shutdownNow);
-    }
-
-    private static Thread thread(Runnable trials) {
-        Thread thread = new Thread(trials, "trials");
-        thread.setDaemon(true);
-        thread.setPriority(Thread.MIN_PRIORITY);
-        return thread;
+        Background thread = new Background();
+        return new Trials(thread, System::nanoTime, thread::close);
     }
 
     /** Ends the thread; call when the scene is over. */

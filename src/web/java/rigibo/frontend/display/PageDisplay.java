@@ -1,0 +1,226 @@
+package rigibo.frontend.display;
+
+import org.teavm.jso.JSBody;
+import org.teavm.jso.JSFunctor;
+import org.teavm.jso.JSObject;
+import org.teavm.jso.browser.Window;
+
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Player;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.Sounds;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.sound.Speaker;
+
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+
+/**
+ * Shows scenes in a page, one after the other, by the loop of {@code Display}: input, the steps
+ * that are due, a picture. The browser calls it at each picture of the screen, and not while the
+ * page is hidden.
+ */
+public final class PageDisplay implements Director {
+
+    private final Function<Director, Scene> menu;
+    private final Function<Director, Scene> levels;
+    private final Player player;
+    private final FrameClock clock = new FrameClock(System::nanoTime, nanos -> {});
+    private final Curtain curtain = new Curtain();
+    private final Toast toast = new Toast();
+    private final Speaker speaker = new Speaker();
+    private final PageSurface surface = new PageSurface();
+    private final PageInput input = new PageInput(surface, this);
+    private BiFunction<Director, String, Optional<Scene>> decoder =
+            (director, text) -> Optional.empty();
+    private Words words;
+    private Scene scene;
+    private Scene wanted;
+
+    /** Pictures for which the curtain has fallen before the wanted scene. */
+    private int fallen;
+
+    /** A display for a player, who can go back to the menu or to the list of levels. */
+    public PageDisplay(
+            Function<Director, Scene> menu, Function<Director, Scene> levels, Player player) {
+        this.menu = menu;
+        this.levels = levels;
+        this.player = player;
+        words = new Words(player.settings());
+        speaker.settings(player.settings());
+        speaker.plugIn();
+    }
+
+    /** Sets the function that makes a scene of a code that is pasted; none of what is no code. */
+    public void opensCodesBy(BiFunction<Director, String, Optional<Scene>> decoding) {
+        decoder = decoding;
+    }
+
+    /** Opens a scene, the menu if none is given, and goes on as long as the page is there. */
+    public void run(Optional<Function<Director, Scene>> first) {
+        open(first.orElse(menu).apply(this));
+        Window.requestAnimationFrame(this::picture);
+    }
+
+    private void picture(double millis) {
+        Window.requestAnimationFrame(this::picture);
+        if (clock.beginsTurn()) {
+            turn();
+        }
+    }
+
+    private void turn() {
+        if (wanted != null && isCovered()) {
+            open(wanted);
+            wanted = null;
+        }
+        do {
+            if (wanted == null) {
+                scene.step();
+                speaker.turn();
+            }
+        } while (clock.isAnotherDueOf(FrameClock.MOST_STEPS));
+        double dark = wanted == null ? curtain.rise() : Curtain.fallen(fallen);
+        scene.drawn(surface.draw(scene, settings(), toast, dark));
+        scene.paced(clock.pace());
+    }
+
+    /** Lets the curtain fall on; whether nothing is seen any more of the scene. */
+    private boolean isCovered() {
+        fallen++;
+        return settings().motion() != Settings.Motion.FULL || fallen > Curtain.FRAMES;
+    }
+
+    private void open(Scene next) {
+        if (scene != null) {
+            scene.closed();
+        }
+        scene = next;
+        input.shows(scene);
+        surface.begin(scene, settings());
+        if (settings().motion() == Settings.Motion.FULL) {
+            curtain.drop();
+        }
+        clock.restart();
+        title(scene.title());
+    }
+
+    /** Whether another scene was chosen already, so that nobody means this one any more. */
+    boolean isLeaving() {
+        return wanted != null;
+    }
+
+    @Override
+    public void show(Scene next) {
+        wanted = next;
+        fallen = 0;
+    }
+
+    @Override
+    public void showMenu() {
+        show(menu.apply(this));
+    }
+
+    @Override
+    public void showLevels() {
+        show(levels.apply(this));
+    }
+
+    /** Only who opened a page can close it. */
+    @Override
+    public void quit() {}
+
+    @Override
+    public boolean canQuit() {
+        return false;
+    }
+
+    @Override
+    public Player player() {
+        return player;
+    }
+
+    @Override
+    public void settings(Settings changed) {
+        if (changed.isFullScreen() != settings().isFullScreen()) {
+            fill(changed.isFullScreen());
+        }
+        player.settings(changed);
+        speaker.settings(changed);
+        words = new Words(changed);
+    }
+
+    void toggleFullScreen() {
+        settings(settings().withFullScreen(!settings().isFullScreen()));
+    }
+
+    void toggleMute() {
+        settings(settings().withMuted(!settings().isMuted()));
+        toast.say(words.of(settings().isMuted() ? "toast.muted" : "toast.sounding"));
+    }
+
+    @Override
+    public Words words() {
+        return words;
+    }
+
+    @Override
+    public Sounds sounds() {
+        return speaker;
+    }
+
+    @Override
+    public void say(String told) {
+        toast.say(told);
+    }
+
+    /** The browser keeps no more of what the player does. */
+    public void notKept() {
+        tell(words.of("save.page"));
+    }
+
+    @Override
+    public void copy(String text) {
+        copyToClipboard(text);
+        toast.say(words.of("toast.copied", text.length()));
+    }
+
+    @Override
+    public void paste() {
+        readClipboard(this::pasted);
+    }
+
+    void pasted(String text) {
+        if (!scene.pasted(text)) {
+            decoder.apply(this, text)
+                    .ifPresentOrElse(this::show, () -> toast.say(words.of("toast.no-code")));
+        }
+    }
+
+    @JSBody(params = "title", script = "document.title = title;")
+    private static native void title(String title);
+
+    /** Takes a text from the browser. */
+    @JSFunctor
+    interface Taker extends JSObject {
+        void take(String text);
+    }
+
+    /** A browser asks the player first; where he or she refuses, it is as if there were no text. */
+    @JSBody(
+            params = "taker",
+            script = "navigator.clipboard.readText().then(taker, function() { taker(''); });")
+    private static native void readClipboard(Taker taker);
+
+    @JSBody(params = "text", script = "navigator.clipboard.writeText(text);")
+    private static native void copyToClipboard(String text);
+
+    @JSBody(
+            params = "wanted",
+            script =
+                    "if (wanted) { document.documentElement.requestFullscreen(); } else if"
+                            + " (document.fullscreenElement) { document.exitFullscreen(); }")
+    private static native void fill(boolean wanted);
+}

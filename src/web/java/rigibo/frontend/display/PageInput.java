@@ -1,0 +1,161 @@
+package rigibo.frontend.display;
+
+import static org.lwjgl.glfw.GLFW.*;
+
+import org.teavm.jso.JSBody;
+import org.teavm.jso.browser.Window;
+import org.teavm.jso.dom.events.Event;
+import org.teavm.jso.dom.events.EventListener;
+import org.teavm.jso.dom.events.KeyboardEvent;
+import org.teavm.jso.dom.events.MouseEvent;
+import org.teavm.jso.dom.events.WheelEvent;
+
+import rigibo.frontend.scene.Scene;
+
+/**
+ * Passes what happens on the page to the game's own {@link Input}, as GLFW's callbacks do in a
+ * window: a mouse, a pen and the first finger are one pointer.
+ */
+final class PageInput {
+
+    /** Pixels by which a wheel scrolls a page for each notch. */
+    private static final double PER_NOTCH = 100;
+
+    /** Where nothing is that a finger could still seem to be over. */
+    private static final double AWAY = -1000;
+
+    private final PageSurface surface;
+    private final PageDisplay display;
+    private Input input;
+
+    PageInput(PageSurface surface, PageDisplay display) {
+        this.surface = surface;
+        this.display = display;
+        listen("pointermove", event -> point((MouseEvent) event));
+        listen("pointerdown", this::pressed);
+        listen("pointerup", this::released);
+        listen("pointercancel", this::released);
+        listen("wheel", this::scrolled);
+        listen("contextmenu", Event::preventDefault);
+        Window.current().addEventListener("keydown", this::keyDown);
+        Window.current().addEventListener("keyup", this::keyUp);
+        Window.current().addEventListener("paste", event -> display.pasted(pasted(event)));
+    }
+
+    private void listen(String kind, EventListener<Event> listener) {
+        surface.canvas()
+                .addEventListener(
+                        kind,
+                        event -> {
+                            if (input != null && !display.isLeaving()) {
+                                listener.handleEvent(event);
+                            }
+                        });
+    }
+
+    /** What is pressed from now on is meant for a scene. */
+    void shows(Scene next) {
+        input =
+                new Input(
+                        next,
+                        display::showMenu,
+                        display::toggleFullScreen,
+                        display::toggleMute,
+                        () -> {},
+                        () -> display.settings().keys());
+    }
+
+    private void point(MouseEvent event) {
+        if (isFirst(event)) {
+            input.shows(surface.layout(), PageSurface.ratio());
+            input.cursor(x(event), y(event));
+        }
+    }
+
+    private void pressed(Event event) {
+        event.preventDefault();
+        MouseEvent mouse = (MouseEvent) event;
+        if (isFirst(mouse)) {
+            point(mouse);
+            capture(event);
+            input.modifiers(held(mouse.getShiftKey(), mouse.getCtrlKey(), mouse.getMetaKey()));
+            input.mouseButton(button(mouse), GLFW_PRESS);
+        }
+    }
+
+    private void released(Event event) {
+        MouseEvent mouse = (MouseEvent) event;
+        if (isFirst(mouse)) {
+            point(mouse);
+            input.mouseButton(button(mouse), GLFW_RELEASE);
+            if (isFinger(event) && !display.isLeaving()) {
+                input.cursor(AWAY, AWAY);
+            }
+        }
+    }
+
+    private static int button(MouseEvent mouse) {
+        return switch (mouse.getButton()) {
+            case MouseEvent.RIGHT_BUTTON -> GLFW_MOUSE_BUTTON_RIGHT;
+            case MouseEvent.MIDDLE_BUTTON -> GLFW_MOUSE_BUTTON_MIDDLE;
+            default -> GLFW_MOUSE_BUTTON_LEFT;
+        };
+    }
+
+    private void scrolled(Event event) {
+        event.preventDefault();
+        point((MouseEvent) event);
+        input.scroll(-((WheelEvent) event).getDeltaY() / PER_NOTCH);
+    }
+
+    private void keyDown(Event event) {
+        KeyboardEvent key = (KeyboardEvent) event;
+        if (input == null || display.isLeaving()) {
+            return;
+        }
+        int code = PageKeys.code(key.getCode(), key.getKey());
+        input.modifiers(held(key.isShiftKey(), key.isCtrlKey(), key.isMetaKey()), code, GLFW_PRESS);
+        if (PageKeys.isOurs(code, key)) {
+            event.preventDefault();
+        }
+        input.key(code, key.isRepeat() ? GLFW_REPEAT : GLFW_PRESS);
+        if (key.getKey().codePointCount(0, key.getKey().length()) == 1 && !key.isCtrlKey()) {
+            input.character(key.getKey().codePointAt(0));
+        }
+    }
+
+    private void keyUp(Event event) {
+        KeyboardEvent key = (KeyboardEvent) event;
+        if (input != null) {
+            int code = PageKeys.code(key.getCode(), key.getKey());
+            input.modifiers(
+                    held(key.isShiftKey(), key.isCtrlKey(), key.isMetaKey()), code, GLFW_RELEASE);
+        }
+    }
+
+    private static int held(boolean shift, boolean control, boolean meta) {
+        return (shift ? GLFW_MOD_SHIFT : 0)
+                | (control ? GLFW_MOD_CONTROL : 0)
+                | (meta ? GLFW_MOD_SUPER : 0);
+    }
+
+    @JSBody(params = "event", script = "return event.offsetX;")
+    private static native double x(Event event);
+
+    @JSBody(params = "event", script = "return event.offsetY;")
+    private static native double y(Event event);
+
+    /** A second finger is not the pointer; a wheel has no finger. */
+    @JSBody(params = "event", script = "return event.isPrimary !== false;")
+    private static native boolean isFirst(Event event);
+
+    @JSBody(params = "event", script = "return event.pointerType === 'touch';")
+    private static native boolean isFinger(Event event);
+
+    /** What is dragged goes on beyond the page's edge. */
+    @JSBody(params = "event", script = "event.target.setPointerCapture(event.pointerId);")
+    private static native void capture(Event event);
+
+    @JSBody(params = "event", script = "return event.clipboardData.getData('text/plain');")
+    private static native String pasted(Event event);
+}

@@ -1,0 +1,112 @@
+package rigibo.frontend.display;
+
+import org.lwjgl.opengl.GL33C;
+import org.teavm.jso.JSBody;
+import org.teavm.jso.JSObject;
+import org.teavm.jso.browser.Window;
+import org.teavm.jso.canvas.CanvasRenderingContext2D;
+import org.teavm.jso.dom.html.HTMLCanvasElement;
+import org.teavm.jso.dom.html.HTMLDocument;
+import org.teavm.jso.webgl.WebGL2RenderingContext;
+
+import rigibo.frontend.draw.DetailChoice;
+import rigibo.frontend.draw.Painter;
+import rigibo.frontend.draw.Paper;
+import rigibo.frontend.scene.DisplayException;
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings;
+
+/** The two canvases that fill the page: bodies by WebGL, and over them plates, lines and words. */
+final class PageSurface {
+
+    private final HTMLCanvasElement below = canvas("world");
+    private final HTMLCanvasElement above = canvas("paper");
+    private final WebGL2RenderingContext gl;
+    private final Painter painter;
+    private final DetailChoice choice = new DetailChoice();
+    private Layout layout = Layout.ALONE;
+
+    PageSurface() {
+        gl = webGl(below);
+        if (gl == null) {
+            throw new DisplayException("this browser has no WebGL 2");
+        }
+        GL33C.use(gl);
+        Paper.use((CanvasRenderingContext2D) above.getContext("2d"));
+        painter = new Painter();
+    }
+
+    /** What players point at. */
+    HTMLCanvasElement canvas() {
+        return above;
+    }
+
+    Layout layout() {
+        return layout;
+    }
+
+    /** Pixels of the screen for each of the page. */
+    static double ratio() {
+        return Window.current().getDevicePixelRatio();
+    }
+
+    /** Draws pictures of a new scene for trial, if it is still open how much is to be drawn. */
+    void begin(Scene scene, Settings settings) {
+        choice.renderer(renderer(gl));
+        while (choice.isOpen(settings.detail())) {
+            choice.tried(draw(scene, settings, new Toast(), 0));
+        }
+    }
+
+    /** Draws a picture; returns the time it took, ns. */
+    long draw(Scene scene, Settings settings, Toast toast, double dark) {
+        long begin = System.nanoTime();
+        layOut(scene, settings);
+        // Chromium otherwise clears what the ground was copied to, with the first thing drawn on
+        // it.
+        gl.clear(gl.COLOR_BUFFER_BIT);
+        Paper.clear();
+        painter.begin(layout, begin / 1e9, choice.detail(settings.detail()));
+        scene.draw(painter);
+        toast.draw(painter);
+        painter.end(dark);
+        return System.nanoTime() - begin;
+    }
+
+    private void layOut(Scene scene, Settings settings) {
+        int width = (int) Math.round(ratio() * above.getClientWidth());
+        int height = (int) Math.round(ratio() * above.getClientHeight());
+        if (above.getWidth() != width || above.getHeight() != height) {
+            size(below, width, height);
+            size(above, width, height);
+        }
+        Layout lettered =
+                Layout.of(width, height, ratio())
+                        .withText(settings.text().share(), scene.mostType());
+        layout = scene.hasColumns() ? lettered.withColumns() : lettered;
+    }
+
+    private static void size(HTMLCanvasElement canvas, int width, int height) {
+        canvas.setWidth(width);
+        canvas.setHeight(height);
+    }
+
+    private static HTMLCanvasElement canvas(String id) {
+        return (HTMLCanvasElement) HTMLDocument.current().getElementById(id);
+    }
+
+    @JSBody(
+            params = "canvas",
+            script =
+                    "return canvas.getContext('webgl2', {alpha: false, antialias: false, depth:"
+                            + " false, stencil: false});")
+    private static native WebGL2RenderingContext webGl(HTMLCanvasElement canvas);
+
+    @JSBody(
+            params = "gl",
+            script =
+                    "var told = gl.getExtension('WEBGL_debug_renderer_info');"
+                            + "return told ? gl.getParameter(told.UNMASKED_RENDERER_WEBGL) : '';")
+    private static native String renderer(JSObject gl);
+}

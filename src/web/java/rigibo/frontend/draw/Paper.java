@@ -1,0 +1,95 @@
+package rigibo.frontend.draw;
+
+import org.teavm.jso.JSBody;
+import org.teavm.jso.JSObject;
+import org.teavm.jso.canvas.CanvasRenderingContext2D;
+import org.teavm.jso.core.JSString;
+
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * The two-dimensional canvas that lies over that of WebGL. What is handed to the browser again and
+ * again, colours and words, is converted once.
+ */
+public final class Paper {
+
+    /** Most texts that are kept: numbers that count up are new ones with every picture. */
+    private static final int MOST_TEXTS = 2_000;
+
+    private static final Map<Color, JSString> COLORS = new HashMap<>();
+    private static final Map<String, JSString> TEXTS = new HashMap<>();
+
+    private static CanvasRenderingContext2D pen;
+
+    private Paper() {}
+
+    /** Takes the canvas that is drawn on. */
+    public static void use(CanvasRenderingContext2D context) {
+        pen = context;
+    }
+
+    /** Begins a picture. */
+    public static void clear() {
+        pen.setTransform(1, 0, 0, 1, 0, 0);
+        pen.clearRect(0, 0, pen.getCanvas().getWidth(), pen.getCanvas().getHeight());
+    }
+
+    static CanvasRenderingContext2D pen() {
+        return pen;
+    }
+
+    /** Draws in logical pixels from now on. */
+    static void show(Layout layout) {
+        double ratio = layout.ratio();
+        pen.setTransform(ratio, 0, 0, ratio, -ratio * layout.left(), -ratio * layout.top());
+    }
+
+    static void fillWith(Color color) {
+        fillWith(pen, color(color));
+    }
+
+    static void strokeWith(double width, Color color) {
+        pen.setLineWidth(width);
+        strokeWith(pen, color(color));
+    }
+
+    static JSString text(String words) {
+        if (TEXTS.size() > MOST_TEXTS) {
+            TEXTS.clear();
+        }
+        return TEXTS.computeIfAbsent(words, JSString::valueOf);
+    }
+
+    private static JSString color(Color color) {
+        if (COLORS.size() > MOST_TEXTS) {
+            COLORS.clear();
+        }
+        return COLORS.computeIfAbsent(color, of -> JSString.valueOf(css(of)));
+    }
+
+    private static String css(Color color) {
+        return "rgba("
+                + Math.round(255 * color.red())
+                + ","
+                + Math.round(255 * color.green())
+                + ","
+                + Math.round(255 * color.blue())
+                + ","
+                + color.alpha()
+                + ")";
+    }
+
+    @JSBody(
+            params = {"pen", "style"},
+            script = "pen.fillStyle = style;")
+    private static native void fillWith(JSObject pen, JSString style);
+
+    @JSBody(
+            params = {"pen", "style"},
+            script = "pen.strokeStyle = style;")
+    private static native void strokeWith(JSObject pen, JSString style);
+}

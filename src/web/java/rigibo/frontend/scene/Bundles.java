@@ -1,0 +1,58 @@
+package rigibo.frontend.scene;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.Enumeration;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Properties;
+import java.util.ResourceBundle;
+
+/** Texts by keys, from properties files among those that the page has brought along. */
+public final class Bundles {
+
+    private static final Map<String, ResourceBundle> READ = new HashMap<>();
+
+    private Bundles() {}
+
+    /** The texts in a language; where it has none, those without a language. */
+    public static ResourceBundle of(String name, Locale language) {
+        Path place = Path.of(System.getProperty("rigibo.home"), "words");
+        Path common = place.resolve(name + ".properties");
+        Path own = place.resolve(name + "_" + language.getLanguage() + ".properties");
+        return READ.computeIfAbsent(own.toString(), any -> new Texts(common, own));
+    }
+
+    /** A language's texts, and beneath them those without a language. */
+    private static final class Texts extends ResourceBundle {
+
+        private final Properties texts = new Properties();
+
+        Texts(Path... files) {
+            try {
+                for (Path file : files) {
+                    if (Files.exists(file)) {
+                        texts.load(new StringReader(Files.readString(file)));
+                    }
+                }
+            } catch (IOException broken) {
+                throw new UncheckedIOException(broken);
+            }
+        }
+
+        @Override
+        protected Object handleGetObject(String key) {
+            return texts.getProperty(key);
+        }
+
+        @Override
+        public Enumeration<String> getKeys() {
+            return Collections.enumeration(texts.stringPropertyNames());
+        }
+    }
+}

@@ -1,0 +1,127 @@
+package rigibo.frontend.sound;
+
+import org.teavm.jso.JSBody;
+import org.teavm.jso.JSObject;
+import org.teavm.jso.typedarrays.Float32Array;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * The browser's Web Audio, with a voice for each that was asked for, and one for rolling. Browsers
+ * let a page sound once the player has pressed something.
+ */
+final class Device {
+
+    /** The values of a sample that stand for 1. */
+    private static final float FULL_SCALE = 32768;
+
+    private final JSObject context = context();
+    private final JSObject volume;
+    private final Map<Sample, JSObject> buffers = new HashMap<>();
+    private final JSObject[] voices;
+    private final JSObject rolling;
+
+    private Device(Samples samples, int count) {
+        if (context == null) {
+            throw new IllegalStateException("this browser has no Web Audio");
+        }
+        volume = output(context);
+        samples.all().forEach(sample -> buffers.put(sample, buffer(sample)));
+        voices = new JSObject[count];
+        rolling = start(context, volume, buffers.get(samples.rolling()), 0, 1, true);
+    }
+
+    /** The browser's own device. */
+    static Device open(Samples samples, int voices) {
+        return new Device(samples, voices);
+    }
+
+    private JSObject buffer(Sample sample) {
+        short[] values = sample.values();
+        Float32Array floats = new Float32Array(values.length);
+        for (int i = 0; i < values.length; i++) {
+            floats.set(i, values[i] / FULL_SCALE);
+        }
+        return buffer(context, floats, Sample.RATE);
+    }
+
+    /** Starts a sample on a voice, in place of what it plays. */
+    void play(int voice, Sample sample, double gain, double pitch) {
+        if (voices[voice] != null) {
+            stop(voices[voice]);
+        }
+        voices[voice] = start(context, volume, buffers.get(sample), gain, pitch, false);
+    }
+
+    /** How loud and how fast the rumble is from now on. */
+    void roll(double gain, double pitch) {
+        change(rolling, gain, pitch);
+    }
+
+    /** What all of it is multiplied with from now on, 0 to 1. */
+    void volume(double wanted) {
+        set(volume, wanted);
+    }
+
+    void close() {
+        close(context);
+    }
+
+    @JSBody(
+            script =
+                    "if (!window.AudioContext) { return null; }"
+                            + "var context = new AudioContext();"
+                            + "var resume = function() { context.resume(); };"
+                            + "addEventListener('pointerup', resume);"
+                            + "addEventListener('keydown', resume);"
+                            + "return context;")
+    private static native JSObject context();
+
+    @JSBody(
+            params = "context",
+            script =
+                    "var gain = context.createGain(); gain.connect(context.destination);"
+                            + "return gain;")
+    private static native JSObject output(JSObject context);
+
+    @JSBody(
+            params = {"context", "floats", "rate"},
+            script =
+                    "var buffer = context.createBuffer(1, floats.length, rate);"
+                            + "buffer.copyToChannel(floats, 0); return buffer;")
+    private static native JSObject buffer(JSObject context, Float32Array floats, int rate);
+
+    @JSBody(
+            params = {"context", "output", "buffer", "gain", "pitch", "isEndless"},
+            script =
+                    "var source = context.createBufferSource(); var own = context.createGain();"
+                            + "source.buffer = buffer; source.loop = isEndless;"
+                            + "source.playbackRate.value = pitch; own.gain.value = gain;"
+                            + "source.connect(own); own.connect(output);"
+                            + "if (isEndless || context.state === 'running') { source.start(); }"
+                            + "return {source: source, gain: own.gain};")
+    private static native JSObject start(
+            JSObject context,
+            JSObject output,
+            JSObject buffer,
+            double gain,
+            double pitch,
+            boolean isEndless);
+
+    @JSBody(params = "voice", script = "try { voice.source.stop(); } catch (neverStarted) { }")
+    private static native void stop(JSObject voice);
+
+    @JSBody(
+            params = {"voice", "gain", "pitch"},
+            script = "voice.gain.value = gain; voice.source.playbackRate.value = pitch;")
+    private static native void change(JSObject voice, double gain, double pitch);
+
+    @JSBody(
+            params = {"output", "gain"},
+            script = "output.gain.value = gain;")
+    private static native void set(JSObject output, double gain);
+
+    @JSBody(params = "context", script = "context.close();")
+    private static native void close(JSObject context);
+}

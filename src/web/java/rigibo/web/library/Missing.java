@@ -1,0 +1,102 @@
+package rigibo.web.library;
+
+import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileAttribute;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.stream.Stream;
+
+/**
+ * Methods that are called in place of those of the same name and class, which the library lacks;
+ * the object that they are called of comes first.
+ */
+public final class Missing {
+
+    private Missing() {}
+
+    /** Of {@link String}, whose own form knows no floating point. */
+    public static String format(String format, Object... values) {
+        return format(Locale.ROOT, format, values);
+    }
+
+    /** Of {@link String}. */
+    public static String format(Locale locale, String format, Object... values) {
+        return new Format(locale).of(format, values);
+    }
+
+    /** Of {@link Locale}. */
+    public static Locale forLanguageTag(String language) {
+        return new Locale(language);
+    }
+
+    /** Of {@link Collections}. */
+    public static <K, V> SortedMap<K, V> emptySortedMap() {
+        return new TreeMap<>();
+    }
+
+    /** Of {@link Collections}; who changes it is told by the desktop's tests. */
+    public static <K, V> SortedMap<K, V> unmodifiableSortedMap(SortedMap<K, V> map) {
+        return map;
+    }
+
+    /** Of {@link Long}. */
+    public static long parseUnsignedLong(String digits, int radix) {
+        long value = 0;
+        for (int i = 0; i < digits.length(); i++) {
+            value = radix * value + Character.digit(digits.charAt(i), radix);
+        }
+        return value;
+    }
+
+    /** Of {@link Matcher}. */
+    public static String replaceAll(Matcher matcher, Function<MatchResult, String> replacement) {
+        StringBuffer replaced = new StringBuffer();
+        while (matcher.find()) {
+            matcher.appendReplacement(replaced, replacement.apply(matcher));
+        }
+        return matcher.appendTail(replaced).toString();
+    }
+
+    /** Of {@link String}. */
+    public static Stream<String> lines(String text) {
+        return Arrays.stream(text.split("\r?\n"));
+    }
+
+    /** Of {@link Files}, whose own form calls something that is missing in turn. */
+    public static String readString(Path file) throws IOException {
+        return readString(file, StandardCharsets.UTF_8);
+    }
+
+    /** Of {@link Files}. */
+    public static String readString(Path file, Charset charset) throws IOException {
+        return new String(Files.readAllBytes(file), charset);
+    }
+
+    /** Of {@link Files}, whose own form refuses a folder of the root that is there already. */
+    public static Path createDirectories(Path folder, FileAttribute<?>... attributes)
+            throws IOException {
+        return Files.isDirectory(folder) ? folder : Files.createDirectories(folder, attributes);
+    }
+
+    /** Of {@link List}; there is one thread. */
+    public static <T> Stream<T> parallelStream(List<T> values) {
+        return values.stream();
+    }
+
+    /** Of {@link Class}. */
+    public static String getPackageName(Class<?> type) {
+        String name = type.getName();
+        return name.substring(0, Math.max(0, name.lastIndexOf('.')));
+    }
+}

@@ -1,0 +1,2 @@
+/** Refusals of the reader. */
+package tools.jackson.core.exc;

@@ -1,0 +1,2 @@
+/** What writes texts as JSON has them. */
+package tools.jackson.core.io;

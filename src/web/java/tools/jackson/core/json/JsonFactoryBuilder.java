@@ -1,0 +1,11 @@
+package tools.jackson.core.json;
+
+import tools.jackson.core.TSFBuilder;
+
+/** Makes what makes readers. */
+public final class JsonFactoryBuilder extends TSFBuilder<JsonFactory, JsonFactoryBuilder> {
+
+    public JsonFactory build() {
+        return new JsonFactory(bounds);
+    }
+}

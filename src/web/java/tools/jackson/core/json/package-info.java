@@ -1,0 +1,2 @@
+/** What makes a reader. */
+package tools.jackson.core.json;

@@ -1,0 +1,2 @@
+/** What a value of another kind answers. */
+package tools.jackson.databind.exc;

@@ -1,0 +1,2 @@
+/** What writes a tree. */
+package tools.jackson.databind.json;

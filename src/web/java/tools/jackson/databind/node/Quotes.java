@@ -1,0 +1,15 @@
+package tools.jackson.databind.node;
+
+import tools.jackson.core.io.JsonStringEncoder;
+
+/** Texts as JSON writes them. */
+final class Quotes {
+
+    private Quotes() {}
+
+    static String of(String text) {
+        StringBuilder quoted = new StringBuilder("\"");
+        JsonStringEncoder.getInstance().quoteAsString(text, quoted);
+        return quoted.append('"').toString();
+    }
+}

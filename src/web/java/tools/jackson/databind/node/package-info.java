@@ -1,0 +1,2 @@
+/** The kinds of values of a tree. */
+package tools.jackson.databind.node;

@@ -1,0 +1,23 @@
+// Fetches what the game needs and starts it.
+const show = problem => {
+    const sentence = document.getElementById('problem');
+    sentence.textContent = problem;
+    sentence.hidden = false;
+};
+
+Promise.all([
+    TeaVM.wasmGC.load('game.wasm'),
+    fetch('files.txt').then(answer => answer.text()),
+    document.fonts.load('16px words'),
+    document.fonts.load('16px numbers')
+]).then(([program, files]) => {
+    window.rigiboFiles = files;
+    program.exports.main([]);
+}).catch(problem => {
+    show('This browser lacks WebAssembly with garbage collection or WebGL 2, which RigiBo needs.');
+    console.warn(problem);
+});
+
+if ('serviceWorker' in navigator) {
+    navigator.serviceWorker.register('offline.js').catch(problem => console.warn(problem));
+}
