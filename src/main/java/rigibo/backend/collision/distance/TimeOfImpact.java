@@ -164,16 +164,19 @@ public final class TimeOfImpact {
     }
 
     /**
-     * Moves the root to the middle of the stopping gap by a Newton step. A mirrored or exchanged
-     * pair then meets at the same time, to nearly all digits; without it, the root lies anywhere in
-     * that range.
+     * Moves the root to the middle of the stopping gap by Newton steps. A mirrored or exchanged
+     * pair then meets at the same time, to nearly all digits; without them, the root lies anywhere
+     * in that range, and after one step it still depends on where in the range the search stopped.
      */
     private double polished(double from, double found, double foundGap) {
         double middle = (advance.least + advance.largest) / 2;
         boolean isOfDisc = isDisc(a) && !b.isTurning() || isDisc(b) && !a.isTurning();
-        return isOfDisc
-                ? touching(from, found, foundGap, Math.min(POLISHED_ROUNDINGS * rounding, middle))
-                : newton(from, found, found, foundGap - middle);
+        if (isOfDisc) {
+            double least = Math.min(POLISHED_ROUNDINGS * rounding, middle);
+            return touching(from, found, foundGap, least);
+        }
+        double near = newton(from, found, found, foundGap - middle);
+        return near == found ? found : newton(from, found, near, gapAt(near) - middle);
     }
 
     /**

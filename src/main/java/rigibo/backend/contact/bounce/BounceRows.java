@@ -55,8 +55,9 @@ final class BounceRows {
     /**
      * Closing speed from which on a contact bounces, m/s. A contact is pressed by the acceleration
      * of the effects or by the load it carried, whichever is larger; inside a heap that load comes
-     * from far above. Speed that a body gains by that pressure within a substep is load, not an
-     * impact.
+     * from far above. It counts by the bodies' masses alone: levers are not known yet of bodies
+     * that join the pile within the step. Speed that a body gains by that pressure within a substep
+     * is load, not an impact.
      */
     private double bounceSpeed(int row, double h) {
         double[] d = contacts.data;
@@ -67,12 +68,16 @@ final class BounceRows {
         double load = pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
         double pressing =
                 Math.max(
-                        load * d[at + PackedContacts.K00],
+                        load * (inverseMass(a) + inverseMass(b)),
                         PairTolerances.pressingAcceleration(
                                 bodies, a, b, pairs.normalX[pair], pairs.normalY[pair]));
         double unseen = PairTolerances.restSpeed(pressing, d[at + PackedContacts.WIDTH]);
         double pulled = Math.max(acceleration(a), acceleration(b)) * h * PULLED;
         return Math.max(pulled, Math.max(unseen, pressing * h));
+    }
+
+    private double inverseMass(int slot) {
+        return bodies.isMoved(slot) ? bodies.inverseMass[slot] : 0;
     }
 
     private double acceleration(int slot) {
