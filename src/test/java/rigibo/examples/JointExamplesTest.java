@@ -92,7 +92,7 @@ class JointExamplesTest {
     /** At rest the rope carries the load; wound in by a metre it has lifted it by a metre. */
     @Test
     void theCranesRopeCarriesAndLiftsItsLoad() {
-        Crane example = new Crane();
+        RopeCrane example = new RopeCrane();
         Pool pool = example.open();
         double first = example.load.y();
         double length = example.length();

@@ -13,7 +13,7 @@ import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
 /** A crane whose rope is wound in and out, with a load that swings as the crab runs. */
-public final class Crane implements Exhibit {
+public final class RopeCrane implements Exhibit {
 
     private static final double SPEED = 0.5; // m/s
     private static final double PERIOD = 8; // s
