@@ -19,6 +19,7 @@ public final class DocsWriter {
     public static void main(String[] arguments) throws IOException, URISyntaxException {
         Path home = Path.of(System.getProperty("rigibo.home", ""));
         write(home.resolve(SURFACE), ApiSurface.text(home));
+        write(home.resolve(RoomSizes.PAGE), RoomSizes.page(home));
         write(home.resolve("docs/pictures/step.svg"), StepPicture.svg());
         for (Map.Entry<String, String> picture : TutorialPictures.all().entrySet()) {
             write(home.resolve("docs/tutorial/pictures/" + picture.getKey()), picture.getValue());

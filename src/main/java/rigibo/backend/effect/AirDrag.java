@@ -28,4 +28,14 @@ public record AirDrag(double density, double coefficient) implements Effect {
         Require.notNegative("AirDrag.density", density, "kg/m³");
         Require.notNegative("AirDrag.coefficient", coefficient, "no unit");
     }
+
+    @Override
+    public Kind kind() {
+        return Kind.AIR_DRAG;
+    }
+
+    @Override
+    public double[] numbers() {
+        return new double[] {density, coefficient};
+    }
 }

@@ -2,6 +2,8 @@ package rigibo.backend.effect;
 
 import rigibo.backend.setup.Require;
 
+import java.util.List;
+
 /**
  * Still water below a level. The submerged part of a body is lifted by the weight of the water it
  * displaces, at the centroid of that part (Archimedes), and each point of it is braked by {@code
@@ -28,5 +30,20 @@ public record Buoyancy(double level, double density, double drag) implements Eff
         Require.finite("Buoyancy.level", level, "m");
         Require.notNegative("Buoyancy.density", density, "kg/m²");
         Require.notNegative("Buoyancy.drag", drag, "1/s");
+    }
+
+    @Override
+    public Kind kind() {
+        return Kind.BUOYANCY;
+    }
+
+    @Override
+    public List<List<Kind>> needs() {
+        return List.of(List.of(Kind.GRAVITY));
+    }
+
+    @Override
+    public double[] numbers() {
+        return new double[] {level, density, drag};
     }
 }

@@ -33,4 +33,14 @@ public record CentralForce(double x, double y, double strength, double power) im
         Require.finite("CentralForce.strength", strength, "m^(1-n)/s²");
         Require.within("CentralForce.power", power, -MOST_POWER, MOST_POWER, "no unit");
     }
+
+    @Override
+    public Kind kind() {
+        return Kind.CENTRAL_FORCE;
+    }
+
+    @Override
+    public double[] numbers() {
+        return new double[] {x, y, strength, power};
+    }
 }

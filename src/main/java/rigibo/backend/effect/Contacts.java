@@ -7,4 +7,9 @@ package rigibo.backend.effect;
  * Pool floats = new Pool(Effects.of(new Contacts(), new Rotation()), Accuracy.GAME);
  * }</pre>
  */
-public record Contacts() implements Effect {}
+public record Contacts() implements Effect {
+    @Override
+    public Kind kind() {
+        return Kind.CONTACTS;
+    }
+}

@@ -9,4 +9,9 @@ package rigibo.backend.effect;
  * crate.material(crate.material().drag(0.5)); // a force of 0.5 N·s/m for each kg
  * }</pre>
  */
-public record Drag() implements Effect {}
+public record Drag() implements Effect {
+    @Override
+    public Kind kind() {
+        return Kind.DRAG;
+    }
+}

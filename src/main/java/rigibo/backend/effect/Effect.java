@@ -1,5 +1,11 @@
 package rigibo.backend.effect;
 
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
 /**
  * A part of physics that is simulated only where it is declared; otherwise it costs nothing.
  *
@@ -36,13 +42,124 @@ public sealed interface Effect
         return false;
     }
 
+    /** Its kind, of which a pool declares one effect at most. */
+    Kind kind();
+
+    /** What has to be declared with it: of each list one kind at least. */
+    default List<List<Kind>> needs() {
+        return List.of();
+    }
+
+    /** The numbers that state it, as a snapshot keeps them, without a caller's function. */
+    default double[] numbers() {
+        return new double[0];
+    }
+
     /**
      * Name of the effect in level files and messages, in kebab-case: {@code rolling-resistance}.
      */
     default String title() {
-        return getClass()
-                .getSimpleName()
-                .replaceAll("(?<!^)([A-Z])", "-$1")
-                .toLowerCase(java.util.Locale.ROOT);
+        return kind().title();
+    }
+
+    /** What an effect may do to the energy that a pool counts. */
+    enum Energy {
+        /** None is taken or given. */
+        KEPT,
+        /** Some is taken, none is given. */
+        TAKEN,
+        /** Work is done from outside, or a force has a potential that no pool counts. */
+        GIVEN
+    }
+
+    /**
+     * The kinds of effects. Where what a kind adds to a step is chosen, all are named, so that the
+     * compiler tells where a new one is missing. Forces that vary along the path add up in this
+     * order.
+     */
+    enum Kind {
+        GRAVITY(Energy.KEPT, 2, n -> new Gravity(n[0], n[1])),
+        CONTACTS(Energy.KEPT, 0, n -> new Contacts()),
+        ROTATION(Energy.KEPT, 0, n -> new Rotation()),
+        FRICTION(Energy.TAKEN, 0, n -> new Friction()),
+        RESTITUTION(Energy.KEPT, 0, n -> new Restitution()),
+        ROLLING_RESISTANCE(Energy.TAKEN, 0, n -> new RollingResistance()),
+        SURFACE_SPEED(Energy.GIVEN, 0, n -> new SurfaceSpeed()),
+        AIR_DRAG(Energy.TAKEN, 2, n -> new AirDrag(n[0], n[1])),
+        DRAG(Energy.TAKEN, 0, n -> new Drag()),
+        CENTRAL_FORCE(Energy.GIVEN, 4, n -> new CentralForce(n[0], n[1], n[2], n[3])),
+        BUOYANCY(Energy.GIVEN, 3, n -> new Buoyancy(n[0], n[1], n[2])),
+        FAN(Energy.GIVEN, Fan::of),
+        MAGNET(Energy.GIVEN, Magnet::of),
+        FIELD(Energy.GIVEN),
+        THRUST(Energy.GIVEN, 0, n -> new Thrust()),
+        JOINTS(Energy.KEPT, 0, n -> new Joints()),
+        SENSORS(Energy.KEPT, 0, n -> new Sensors()),
+        CONTINUOUS_IMPACTS(Energy.KEPT, 0, n -> new ContinuousImpacts()),
+        SLEEP(Energy.TAKEN, 2, n -> new Sleep(n[0], n[1])),
+        WIND(Energy.GIVEN, 2, n -> new Wind(n[0], n[1]));
+
+        private static final int ANY = -1;
+
+        private final Energy energy;
+        private final int count;
+        private final Function<double[], Effect> maker;
+
+        Kind(Energy energy, int count, Function<double[], Effect> maker) {
+            this.energy = energy;
+            this.count = count;
+            this.maker = maker;
+        }
+
+        /** Of effects that any count of numbers may state. */
+        Kind(Energy energy, Function<double[], Effect> maker) {
+            this(energy, ANY, maker);
+        }
+
+        /** Of effects that always hold a function, and so are not made of numbers. */
+        Kind(Energy energy) {
+            this(energy, ANY, null);
+        }
+
+        /** What it may do to the energy that a pool counts. */
+        public Energy energy() {
+            return energy;
+        }
+
+        /** Name in level files and messages, in kebab-case: {@code rolling-resistance}. */
+        public String title() {
+            return name().toLowerCase(Locale.ROOT).replace('_', '-');
+        }
+
+        /** Name of its class: {@code RollingResistance}. */
+        public String typeName() {
+            return Arrays.stream(name().split("_"))
+                    .map(word -> word.charAt(0) + word.substring(1).toLowerCase(Locale.ROOT))
+                    .collect(Collectors.joining());
+        }
+
+        /** Whether an effect of this kind can be made of numbers alone. */
+        public boolean isMadeOfNumbers() {
+            return maker != null;
+        }
+
+        /** How many numbers state an effect of this kind; −1 where it may be any. */
+        public int numbers() {
+            return count;
+        }
+
+        /**
+         * An effect of this kind, equal to the one whose {@link Effect#numbers()} they are.
+         *
+         * @throws IllegalArgumentException when they state none
+         */
+        public Effect of(double... numbers) {
+            boolean isCount = count == ANY || count == numbers.length;
+            if (!isMadeOfNumbers() || !isCount) {
+                throw new IllegalArgumentException(
+                        typeName() + " is not made of " + numbers.length + " numbers");
+            }
+            return maker.apply(numbers);
+        }
     }
 }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * The set of effects that a pool declares. It holds at most one effect of each kind, and every
@@ -39,9 +40,9 @@ public final class Effects {
         List<Effect> once = new ArrayList<>();
         for (Effect effect : effects) {
             Require.present("Effects.of effect", effect);
-            if (once.stream().anyMatch(other -> other.getClass() == effect.getClass())) {
+            if (once.stream().anyMatch(other -> other.kind() == effect.kind())) {
                 throw new IllegalArgumentException(
-                        "Effects.of declares " + name(effect.getClass()) + " twice");
+                        "Effects.of declares " + effect.kind().typeName() + " twice");
             }
             once.add(effect);
         }
@@ -88,7 +89,7 @@ public final class Effects {
     public Effects with(Effect effect) {
         Require.present("Effects.with effect", effect);
         List<Effect> next = new ArrayList<>(declared);
-        next.removeIf(other -> other.getClass() == effect.getClass());
+        next.removeIf(other -> other.kind() == effect.kind());
         next.add(effect);
         return new Effects(next);
     }
@@ -121,53 +122,20 @@ public final class Effects {
     }
 
     private void requireCompanions(Effect effect) {
-        if (effect instanceof Friction
-                || effect instanceof Restitution
-                || effect instanceof ContinuousImpacts
-                || effect instanceof Joints
-                || effect instanceof Sleep
-                || effect instanceof Sensors) {
-            require(effect, Contacts.class);
-        }
-        if (effect instanceof Wind) {
-            requireEither(effect, Drag.class, AirDrag.class);
-        }
-        if (effect instanceof Buoyancy) {
-            require(effect, Gravity.class);
-        }
-        if (effect instanceof SurfaceSpeed) {
-            require(effect, Friction.class);
-        }
-        if (effect instanceof RollingResistance) {
-            require(effect, Contacts.class);
-            require(effect, Rotation.class);
+        for (List<Effect.Kind> companions : effect.needs()) {
+            if (declared.stream().noneMatch(other -> companions.contains(other.kind()))) {
+                throw new IllegalArgumentException(
+                        effect.kind().typeName() + " needs " + missing(companions));
+            }
         }
     }
 
-    private void require(Effect effect, Class<? extends Effect> companion) {
-        if (!declares(companion)) {
-            throw new IllegalArgumentException(
-                    name(effect.getClass())
-                            + " needs "
-                            + name(companion)
-                            + ", which is not declared");
-        }
-    }
-
-    private void requireEither(
-            Effect effect, Class<? extends Effect> one, Class<? extends Effect> other) {
-        if (!declares(one) && !declares(other)) {
-            throw new IllegalArgumentException(
-                    name(effect.getClass())
-                            + " needs "
-                            + name(one)
-                            + " or "
-                            + name(other)
-                            + ", neither of which is declared");
-        }
-    }
-
-    private static String name(Class<? extends Effect> kind) {
-        return kind.getSimpleName();
+    private static String missing(List<Effect.Kind> companions) {
+        String names =
+                companions.stream().map(Effect.Kind::typeName).collect(Collectors.joining(" or "));
+        return names
+                + (companions.size() == 1
+                        ? ", which is not declared"
+                        : ", neither of which is declared");
     }
 }

@@ -2,8 +2,10 @@ package rigibo.backend.effect;
 
 import rigibo.backend.setup.Require;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
 
 /**
  * Streams of air from places of the world. A stream pushes each dynamic body whose centre of mass
@@ -34,6 +36,33 @@ public record Fan(List<Jet> jets) implements Effect {
         this(Arrays.asList(Require.present("Fan.jets", jets)));
     }
 
+    @Override
+    public Kind kind() {
+        return Kind.FAN;
+    }
+
+    @Override
+    public double[] numbers() {
+        DoubleStream.Builder numbers = DoubleStream.builder();
+        for (Jet jet : jets) {
+            numbers.add(jet.x()).add(jet.y()).add(jet.angle());
+            numbers.add(jet.width()).add(jet.reach()).add(jet.force());
+        }
+        return numbers.build().toArray();
+    }
+
+    /** Made of its numbers; refuses a jet that is cut short. */
+    static Fan of(double[] n) {
+        if (n.length % Jet.NUMBERS != 0) {
+            throw new IllegalArgumentException("jets of a fan are cut short");
+        }
+        List<Jet> jets = new ArrayList<>();
+        for (int i = 0; i < n.length; i += Jet.NUMBERS) {
+            jets.add(new Jet(n[i], n[i + 1], n[i + 2], n[i + 3], n[i + 4], n[i + 5]));
+        }
+        return new Fan(jets);
+    }
+
     /**
      * One stream.
      *
@@ -45,6 +74,8 @@ public record Fan(List<Jet> jets) implements Effect {
      * @param force at the mouth for each metre of a body's width, N/m; a negative one sucks
      */
     public record Jet(double x, double y, double angle, double width, double reach, double force) {
+
+        private static final int NUMBERS = 6;
 
         /**
          * Checks every number.

@@ -30,4 +30,9 @@ public record Field(FieldFunction function) implements Effect {
     public boolean holdsFunction() {
         return true;
     }
+
+    @Override
+    public Kind kind() {
+        return Kind.FIELD;
+    }
 }

@@ -26,4 +26,14 @@ public record Gravity(double x, double y) implements Effect {
         Require.within("Gravity.x", x, -MOST, MOST, "m/s²");
         Require.within("Gravity.y", y, -MOST, MOST, "m/s²");
     }
+
+    @Override
+    public Kind kind() {
+        return Kind.GRAVITY;
+    }
+
+    @Override
+    public double[] numbers() {
+        return new double[] {x, y};
+    }
 }

@@ -1,5 +1,7 @@
 package rigibo.backend.effect;
 
+import java.util.List;
+
 /**
  * Bodies can be joined by hinges, rods, springs and other joints. Without this effect {@code
  * Pool.join} throws.
@@ -12,4 +14,14 @@ package rigibo.backend.effect;
  * pool.step(1 / 60.0);
  * }</pre>
  */
-public record Joints() implements Effect {}
+public record Joints() implements Effect {
+    @Override
+    public Kind kind() {
+        return Kind.JOINTS;
+    }
+
+    @Override
+    public List<List<Kind>> needs() {
+        return List.of(List.of(Kind.CONTACTS));
+    }
+}

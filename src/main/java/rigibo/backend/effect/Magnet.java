@@ -2,8 +2,10 @@ package rigibo.backend.effect;
 
 import rigibo.backend.setup.Require;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
 
 /**
  * Magnets at places of the world. Each accelerates the dynamic bodies of a category that are in its
@@ -34,6 +36,33 @@ public record Magnet(List<Pole> poles) implements Effect {
         this(Arrays.asList(Require.present("Magnet.poles", poles)));
     }
 
+    @Override
+    public Kind kind() {
+        return Kind.MAGNET;
+    }
+
+    @Override
+    public double[] numbers() {
+        DoubleStream.Builder numbers = DoubleStream.builder();
+        for (Pole pole : poles) {
+            numbers.add(pole.x()).add(pole.y()).add(pole.strength());
+            numbers.add(pole.reach()).add(pole.category());
+        }
+        return numbers.build().toArray();
+    }
+
+    /** Made of its numbers; refuses a pole that is cut short. */
+    static Magnet of(double[] n) {
+        if (n.length % Pole.NUMBERS != 0) {
+            throw new IllegalArgumentException("poles of a magnet are cut short");
+        }
+        List<Pole> poles = new ArrayList<>();
+        for (int i = 0; i < n.length; i += Pole.NUMBERS) {
+            poles.add(new Pole(n[i], n[i + 1], n[i + 2], n[i + 3], (int) n[i + 4]));
+        }
+        return new Magnet(poles);
+    }
+
     /**
      * One magnet.
      *
@@ -44,6 +73,8 @@ public record Magnet(List<Pole> poles) implements Effect {
      * @param category bits of the categories that it acts on, as of a {@code Filter}
      */
     public record Pole(double x, double y, double strength, double reach, int category) {
+
+        private static final int NUMBERS = 5;
 
         /**
          * Checks every number.

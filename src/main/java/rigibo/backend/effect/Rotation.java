@@ -9,4 +9,9 @@ package rigibo.backend.effect;
  * Pool discs = new Pool(Effects.usual().without(Rotation.class), Accuracy.GAME);
  * }</pre>
  */
-public record Rotation() implements Effect {}
+public record Rotation() implements Effect {
+    @Override
+    public Kind kind() {
+        return Kind.ROTATION;
+    }
+}

@@ -1,5 +1,7 @@
 package rigibo.backend.effect;
 
+import java.util.List;
+
 /**
  * Sensors: shapes that touch nothing and report which bodies are inside: coins, doors, goals, the
  * foot of a character. Entries and exits are found along each body's path within the step, so a
@@ -13,4 +15,14 @@ package rigibo.backend.effect;
  * pool.forEachSensorEvent(event -> System.out.println(event.visitor + " found " + event.sensor));
  * }</pre>
  */
-public record Sensors() implements Effect {}
+public record Sensors() implements Effect {
+    @Override
+    public Kind kind() {
+        return Kind.SENSORS;
+    }
+
+    @Override
+    public List<List<Kind>> needs() {
+        return List.of(List.of(Kind.CONTACTS));
+    }
+}

@@ -2,6 +2,8 @@ package rigibo.backend.effect;
 
 import rigibo.backend.setup.Require;
 
+import java.util.List;
+
 /**
  * Islands of bodies at rest fall asleep: they are no longer simulated until something wakes them.
  *
@@ -31,5 +33,20 @@ public record Sleep(double seconds, double distance) implements Effect {
      */
     public Sleep() {
         this(0.5, 1e-4);
+    }
+
+    @Override
+    public Kind kind() {
+        return Kind.SLEEP;
+    }
+
+    @Override
+    public List<List<Kind>> needs() {
+        return List.of(List.of(Kind.CONTACTS));
+    }
+
+    @Override
+    public double[] numbers() {
+        return new double[] {seconds, distance};
     }
 }

@@ -1,5 +1,7 @@
 package rigibo.backend.effect;
 
+import java.util.List;
+
 /**
  * Conveyor belts: the outline of a body runs at its material's surface speed, while the body itself
  * stays in place. Positive is counter-clockwise, as for spin: a load on top is carried to the left
@@ -13,4 +15,14 @@ package rigibo.backend.effect;
  *         BodyDefinition.fixed(Polygon.box(6, 0.4)).material(wood.surfaceSpeed(-2))); // a belt
  * }</pre>
  */
-public record SurfaceSpeed() implements Effect {}
+public record SurfaceSpeed() implements Effect {
+    @Override
+    public Kind kind() {
+        return Kind.SURFACE_SPEED;
+    }
+
+    @Override
+    public List<List<Kind>> needs() {
+        return List.of(List.of(Kind.FRICTION));
+    }
+}

@@ -9,4 +9,9 @@ package rigibo.backend.effect;
  * crate.applyForce(0, 200, crate.x(), crate.y()); // N, for the next step
  * }</pre>
  */
-public record Thrust() implements Effect {}
+public record Thrust() implements Effect {
+    @Override
+    public Kind kind() {
+        return Kind.THRUST;
+    }
+}

@@ -2,6 +2,8 @@ package rigibo.backend.effect;
 
 import rigibo.backend.setup.Require;
 
+import java.util.List;
+
 /**
  * Moving air: {@link Drag} and {@link AirDrag} act on the velocity relative to it. One of the two
  * must be declared.
@@ -49,5 +51,20 @@ public record Wind(double x, double y, Gusts gusts) implements Effect {
     @Override
     public boolean holdsFunction() {
         return !isSteady();
+    }
+
+    @Override
+    public Kind kind() {
+        return Kind.WIND;
+    }
+
+    @Override
+    public List<List<Kind>> needs() {
+        return List.of(List.of(Kind.DRAG, Kind.AIR_DRAG));
+    }
+
+    @Override
+    public double[] numbers() {
+        return new double[] {x, y};
     }
 }

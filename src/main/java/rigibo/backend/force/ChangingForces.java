@@ -3,7 +3,7 @@ package rigibo.backend.force;
 import rigibo.backend.effect.AirDrag;
 import rigibo.backend.effect.Buoyancy;
 import rigibo.backend.effect.CentralForce;
-import rigibo.backend.effect.Drag;
+import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Fan;
 import rigibo.backend.effect.Field;
@@ -12,9 +12,9 @@ import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Wind;
 import rigibo.backend.storage.Bodies;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
+import java.util.Comparator;
+import java.util.Optional;
 
 /** The declared forces that vary along the path, compiled from a set of effects. */
 public final class ChangingForces {
@@ -23,23 +23,33 @@ public final class ChangingForces {
 
     /** The varying forces of a declared set; empty if it has none. */
     public ChangingForces(Effects effects) {
-        List<ChangingForce> list = new ArrayList<>();
-        effects.find(AirDrag.class)
-                .ifPresent(air -> list.add(new AirDragForce(air, wind(effects))));
-        if (effects.declares(Drag.class) && !wind(effects).isSteady()) {
-            list.add(new GustForce(wind(effects)));
-        }
-        effects.find(CentralForce.class).ifPresent(central -> list.add(new CentralPull(central)));
-        effects.find(Buoyancy.class)
-                .ifPresent(
-                        water ->
-                                list.add(
-                                        new BuoyantForce(
-                                                water, effects.find(Gravity.class).get())));
-        effects.find(Fan.class).ifPresent(fan -> list.add(new FanForce(fan)));
-        effects.find(Magnet.class).ifPresent(magnet -> list.add(new MagnetForce(magnet)));
-        effects.find(Field.class).ifPresent(field -> list.add(new FieldForce(field)));
-        forces = list.toArray(ChangingForce[]::new);
+        forces =
+                effects.all().stream()
+                        .sorted(Comparator.comparing(Effect::kind))
+                        .map(effect -> force(effect, effects))
+                        .flatMap(Optional::stream)
+                        .toArray(ChangingForce[]::new);
+    }
+
+    /** What an effect adds along the path; empty where that does not vary, or is no force. */
+    private static Optional<ChangingForce> force(Effect effect, Effects all) {
+        return switch (effect.kind()) {
+            case AIR_DRAG -> Optional.of(new AirDragForce((AirDrag) effect, wind(all)));
+            case DRAG -> Optional.of(wind(all)).filter(it -> !it.isSteady()).map(GustForce::new);
+            case CENTRAL_FORCE -> Optional.of(new CentralPull((CentralForce) effect));
+            case BUOYANCY -> Optional.of(new BuoyantForce((Buoyancy) effect, gravity(all)));
+            case FAN -> Optional.of(new FanForce((Fan) effect));
+            case MAGNET -> Optional.of(new MagnetForce((Magnet) effect));
+            case FIELD -> Optional.of(new FieldForce((Field) effect));
+            case GRAVITY, THRUST, WIND -> Optional.empty();
+            case CONTACTS, FRICTION, RESTITUTION, ROLLING_RESISTANCE, SURFACE_SPEED ->
+                    Optional.empty();
+            case ROTATION, JOINTS, SENSORS, CONTINUOUS_IMPACTS, SLEEP -> Optional.empty();
+        };
+    }
+
+    private static Gravity gravity(Effects effects) {
+        return effects.find(Gravity.class).orElseThrow();
     }
 
     /** From now on clears what these forces add along the locked axes of bodies. */

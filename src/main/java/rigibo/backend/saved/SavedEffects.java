@@ -4,6 +4,7 @@ import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -27,9 +28,9 @@ final class SavedEffects {
         writer.label("effects");
         writer.count(effects.all().size(), LEAST_BYTES);
         for (Effect effect : effects.all()) {
-            String kind = writer.text(nameOf(effect));
+            String kind = writer.text(effect.kind().typeName());
             if (!writer.flag(effect.holdsFunction())) {
-                writer.value(EffectForms.named(kind), effect);
+                writer.value(form(kind), effect);
             }
         }
     }
@@ -49,7 +50,7 @@ final class SavedEffects {
         if (reader.flag(false)) {
             withFunction.add(kind);
         } else {
-            effects.add(reader.value(EffectForms.named(kind), null));
+            effects.add(reader.value(form(kind), null));
         }
     }
 
@@ -77,8 +78,8 @@ final class SavedEffects {
         Set<String> missing = new TreeSet<>(kinds);
         Set<String> surplus = new TreeSet<>();
         for (Effect effect : given.all()) {
-            if (!missing.remove(nameOf(effect))) {
-                surplus.add(nameOf(effect));
+            if (!missing.remove(effect.kind().typeName())) {
+                surplus.add(effect.kind().typeName());
             }
         }
         if (!missing.isEmpty() || !surplus.isEmpty()) {
@@ -91,7 +92,21 @@ final class SavedEffects {
         return given;
     }
 
-    private static String nameOf(Effect effect) {
-        return effect.getClass().getSimpleName();
+    /**
+     * The form of the effects of a kind.
+     *
+     * @throws IllegalArgumentException when no effect is called so, or none is made of numbers
+     */
+    private static Form<Effect> form(String kind) {
+        return Arrays.stream(Effect.Kind.values())
+                .filter(one -> one.isMadeOfNumbers() && one.typeName().equals(kind))
+                .findFirst()
+                .map(one -> new Form<>(kind, one.numbers(), Effect::numbers, one::of))
+                .orElseThrow(
+                        () ->
+                                new IllegalArgumentException(
+                                        "declares the effect "
+                                                + kind
+                                                + ", for which there is no form"));
     }
 }

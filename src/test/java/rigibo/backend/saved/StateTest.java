@@ -2,11 +2,9 @@ package rigibo.backend.saved;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-import rigibo.backend.effect.Effect;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Polygon;
@@ -67,28 +65,6 @@ class StateTest {
         assertThat(StateHash.of(data, 0, List.of()) != hash)
                 .as("%s is hashed", name)
                 .isEqualTo(isSaved);
-    }
-
-    @Test
-    void everyEffectIsStatedByNumbersOrHoldsAFunction() {
-        assertThat(Effect.class.getPermittedSubclasses())
-                .allSatisfy(
-                        kind -> {
-                            boolean holdsFunction =
-                                    Arrays.stream(kind.getDeclaredMethods())
-                                            .anyMatch(m -> m.getName().equals("holdsFunction"));
-                            if (!holdsFunction) {
-                                boolean holdsList =
-                                        Arrays.stream(kind.getRecordComponents())
-                                                .anyMatch(part -> part.getType() == List.class);
-                                assertThat(EffectForms.named(kind.getSimpleName()).count())
-                                        .as("%s", kind)
-                                        .isEqualTo(
-                                                holdsList
-                                                        ? Form.ANY
-                                                        : kind.getRecordComponents().length);
-                            }
-                        });
     }
 
     private static Object other(Object value) {

@@ -5,7 +5,6 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Words;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -67,7 +66,7 @@ final class ChipLayout {
     private static Map<Boolean, List<EffectReason>> shown(SceneEffects scene) {
         Effects calledFor = scene.calledFor();
         List<EffectReason> reasons = scene.reasons();
-        return Arrays.stream(KnownEffect.values())
+        return KnownEffect.all().stream()
                 .map(known -> known.in(calledFor, reasons, scene.words()))
                 .flatMap(Optional::stream)
                 .collect(

@@ -1,74 +1,58 @@
 package rigibo.frontend.scene.effects;
 
 import rigibo.backend.effect.AirDrag;
-import rigibo.backend.effect.Buoyancy;
-import rigibo.backend.effect.CentralForce;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.ContinuousImpacts;
-import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Fan;
-import rigibo.backend.effect.Field;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
-import rigibo.backend.effect.Joints;
-import rigibo.backend.effect.Magnet;
 import rigibo.backend.effect.Restitution;
-import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
-import rigibo.backend.effect.Sensors;
 import rigibo.backend.effect.Sleep;
-import rigibo.backend.effect.SurfaceSpeed;
-import rigibo.backend.effect.Thrust;
 import rigibo.backend.effect.Wind;
 import rigibo.frontend.scene.Words;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 
 /**
- * Every kind of effect in the order of the bar, with general words for scenes without their own.
- * Effects that act on any bodies are offered everywhere; the others, whose parameters belong to
- * materials or places, only in scenes that have them.
+ * A kind of effect in the bar, with general words for scenes without their own. Effects that act on
+ * any bodies are offered everywhere; the others, whose parameters belong to materials or places,
+ * only in scenes that have them.
  */
-enum KnownEffect {
-    GRAVITY(new Gravity(0, -9.81)),
-    CONTACTS(new Contacts()),
-    ROTATION(new Rotation()),
-    FRICTION(new Friction()),
-    RESTITUTION(new Restitution()),
-    ROLLING_RESISTANCE(RollingResistance.class),
-    SURFACE_SPEED(SurfaceSpeed.class),
-    DRAG(Drag.class),
-    BUOYANCY(Buoyancy.class),
-    CENTRAL_FORCE(CentralForce.class),
-    FAN(Fan.class),
-    MAGNET(Magnet.class),
-    FIELD(Field.class),
-    THRUST(Thrust.class),
-    JOINTS(Joints.class),
-    SENSORS(Sensors.class),
-    CONTINUOUS_IMPACTS(new ContinuousImpacts()),
-    SLEEP(new Sleep()),
-    /** Air at sea level round discs. */
-    AIR_DRAG(new AirDrag(1.2, 1.1)),
-    WIND(new Wind(10, 0));
+record KnownEffect(Effect.Kind kind) {
 
-    private final Class<? extends Effect> kind;
-    private final Optional<Effect> offer;
+    /** Air comes last: it is offered everywhere, and few scenes call for it. */
+    private static final Set<Effect.Kind> LAST = EnumSet.of(Effect.Kind.AIR_DRAG, Effect.Kind.WIND);
 
-    KnownEffect(Effect offer) {
-        this(offer.getClass(), Optional.of(offer));
+    /** Every kind in the order of the bar. */
+    static List<KnownEffect> all() {
+        return Stream.concat(EnumSet.complementOf(EnumSet.copyOf(LAST)).stream(), LAST.stream())
+                .map(KnownEffect::new)
+                .toList();
     }
 
-    KnownEffect(Class<? extends Effect> kind) {
-        this(kind, Optional.empty());
-    }
-
-    KnownEffect(Class<? extends Effect> kind, Optional<Effect> offer) {
-        this.kind = kind;
-        this.offer = offer;
+    /** The effect that is offered where a scene neither has one nor words for it. */
+    private Optional<Effect> offer() {
+        return switch (kind) {
+            case GRAVITY -> Optional.of(new Gravity(0, -9.81));
+            case CONTACTS -> Optional.of(new Contacts());
+            case ROTATION -> Optional.of(new Rotation());
+            case FRICTION -> Optional.of(new Friction());
+            case RESTITUTION -> Optional.of(new Restitution());
+            case CONTINUOUS_IMPACTS -> Optional.of(new ContinuousImpacts());
+            case SLEEP -> Optional.of(new Sleep());
+            // At sea level round discs.
+            case AIR_DRAG -> Optional.of(new AirDrag(1.2, 1.1));
+            case WIND -> Optional.of(new Wind(10, 0));
+            case ROLLING_RESISTANCE, SURFACE_SPEED, DRAG, THRUST, JOINTS, SENSORS ->
+                    Optional.empty();
+            case BUOYANCY, CENTRAL_FORCE, FAN, MAGNET, FIELD -> Optional.empty();
+        };
     }
 
     /**
@@ -81,16 +65,20 @@ enum KnownEffect {
      */
     Optional<EffectReason> in(Effects calledFor, List<EffectReason> reasons, Words words) {
         Optional<EffectReason> own =
-                reasons.stream().filter(reason -> kind.isInstance(reason.effect())).findFirst();
-        Optional<Effect> effect = calledFor.find(kind).map(Effect.class::cast);
+                reasons.stream().filter(reason -> isOf(reason.effect())).findFirst();
+        Optional<Effect> effect = calledFor.all().stream().filter(this::isOf).findFirst();
         return effect.or(() -> own.map(EffectReason::effect))
-                .or(() -> offer)
+                .or(this::offer)
                 .map(
                         shown ->
                                 new EffectReason(
                                         shown,
                                         own.map(EffectReason::words)
                                                 .orElse(general(shown, words))));
+    }
+
+    private boolean isOf(Effect effect) {
+        return effect.kind() == kind;
     }
 
     /** What an effect does wherever bodies are. */

@@ -96,7 +96,7 @@ class EffectsBarTest {
     @Test
     void hasWordsForEveryKindOfEffectInTwoRows() {
         List<Class<?>> kinds = List.of(Effect.class.getPermittedSubclasses());
-        assertThat(kinds).hasSameSizeAs(ALL.all()).hasSameSizeAs(KnownEffect.values());
+        assertThat(kinds).hasSameSizeAs(ALL.all()).hasSameSizeAs(KnownEffect.all());
         // No scene calls for all of them; two rows hold all but two.
         assertInTwoRows(ALL.without(Fan.class).without(Magnet.class));
         assertInTwoRows(ALL.without(Field.class).without(CentralForce.class));
@@ -192,7 +192,7 @@ class EffectsBarTest {
         Words words = new Words(language);
         RecordingCanvas canvas = new RecordingCanvas();
         double room = Scene.WIDTH - 2 * 22;
-        for (KnownEffect known : KnownEffect.values()) {
+        for (KnownEffect known : KnownEffect.all()) {
             EffectReason reason = known.in(ALL, List.of(), words).orElseThrow();
             String title = words.of("effect." + reason.effect().title());
             String said = words.of("effect.offered", title, reason.words());
