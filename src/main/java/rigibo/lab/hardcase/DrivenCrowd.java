@@ -2,6 +2,7 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.BodyType;
+import rigibo.lab.bench.scene.Commotions;
 import rigibo.lab.bench.scene.Scene;
 
 import java.util.List;
@@ -27,6 +28,38 @@ record DrivenCrowd(
         List<Integer> all)
         implements Scenes {
 
+    static final DrivenCrowd SHAKEN =
+            new DrivenCrowd(
+                    Commotions::shaken,
+                    5,
+                    DrivenCrowd::isInTheBox,
+                    List.of(12),
+                    List.of(12, 61, 100));
+
+    static final DrivenCrowd RODS =
+            new DrivenCrowd(
+                    Commotions::rods,
+                    8,
+                    DrivenCrowd::isAboveTheFloor,
+                    List.of(41),
+                    List.of(41, 140, 300));
+
+    static final DrivenCrowd TOWERS =
+            new DrivenCrowd(
+                    storeys -> Commotions.towers(storeys / 4, storeys),
+                    8,
+                    DrivenCrowd::isAboveTheFloor,
+                    List.of(9),
+                    List.of(9, 17, 30));
+
+    static final DrivenCrowd BELT =
+            new DrivenCrowd(
+                    Commotions::belt,
+                    10,
+                    DrivenCrowd::isBeforeTheWall,
+                    List.of(24),
+                    List.of(24, 52, 80));
+
     private static final int FEW_BODIES = 100;
 
     @Override
@@ -51,18 +84,18 @@ record DrivenCrowd(
         }
     }
 
-    static boolean isAboveTheFloor(StagedScene stage) {
+    private static boolean isAboveTheFloor(StagedScene stage) {
         return stage.dynamic().stream().allMatch(body -> body.y() > 0);
     }
 
-    static boolean isBeforeTheWall(StagedScene stage) {
+    private static boolean isBeforeTheWall(StagedScene stage) {
         RigidBody wall = stage.bodies().get(1);
         return isAboveTheFloor(stage)
                 && stage.dynamic().stream().allMatch(body -> body.x() < wall.x());
     }
 
     /** Between the middles of its walls: floor, ceiling, left, right. */
-    static boolean isInTheBox(StagedScene stage) {
+    private static boolean isInTheBox(StagedScene stage) {
         List<RigidBody> walls = stage.bodies();
         return stage.dynamic().stream()
                 .allMatch(

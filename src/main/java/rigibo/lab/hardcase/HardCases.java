@@ -1,19 +1,18 @@
 package rigibo.lab.hardcase;
 
 import java.util.List;
-import java.util.stream.Stream;
 
 /** Every hard case there is. To add one, write its class and its line in one of the three lists. */
 public final class HardCases {
 
     private static final List<HardCase> HELD =
-            joined(NumberedCases.held(), MovingPiles.held(), JointCases.held());
+            joined(List.of(NumberedCases.held(), MovingPiles.held(), JointCases.held()));
 
     private static final List<HardCase> OPEN =
-            joined(NumberedCases.open(), MovingPiles.open(), JointCases.open());
+            joined(List.of(NumberedCases.open(), MovingPiles.open(), JointCases.open()));
 
     private static final List<HardCase> LONG =
-            joined(NumberedCases.longRuns(), MovingPiles.longRuns());
+            joined(List.of(NumberedCases.longRuns(), MovingPiles.longRuns()));
 
     private HardCases() {}
 
@@ -34,11 +33,10 @@ public final class HardCases {
 
     /** All cases but the long runs. */
     public static List<HardCase> all() {
-        return joined(HELD, OPEN);
+        return joined(List.of(HELD, OPEN));
     }
 
-    @SafeVarargs
-    private static List<HardCase> joined(List<HardCase>... rooms) {
-        return Stream.of(rooms).flatMap(List::stream).toList();
+    private static List<HardCase> joined(List<List<HardCase>> rooms) {
+        return rooms.stream().flatMap(List::stream).toList();
     }
 }

@@ -20,94 +20,85 @@ final class JointCases {
 
     /** Those whose every figure is within its limit at GAME and at EXACT. */
     static List<HardCase> held() {
-        return List.of(
-                joined(
-                        "J1",
-                        "a pendulum swings at its period and keeps its energy",
-                        Swings::pendulums),
-                joined(
-                        "J2",
-                        "a box swings on a hinge at its period and keeps its energy",
-                        Swings::boxes),
-                joined(
-                        "J3",
-                        "a double pendulum keeps its energy and goes its way",
-                        Swings::doublePendulums),
-                joined(
-                        "J4",
-                        "a chain that is laid in its catenary stays there",
-                        HangingChains::catenaries),
-                joined(
-                        "J5",
-                        "light links carry ten thousand times their mass",
-                        HangingChains::heavyBobs),
-                joined("J7", "mechanisms are where geometry says", Mechanisms::run),
-                joined(
-                        "J13",
-                        "a car's wheels carry what statics says, and it climbs if they hold",
-                        HillCar::run),
-                joined(
-                        "J8",
-                        "springs swing at their period, decay, and bear their load",
-                        SpringJoints::run),
-                joined(
-                        "J9",
-                        "a motor drives up to its speed, and its work is the energy gained",
-                        DrivenJoints::motors),
-                joined(
-                        "J10",
-                        "what strikes its limit stops there, or rebounds with e² of its energy",
-                        DrivenJoints::limits),
-                joined("J14", "a joint breaks at its load", DrivenJoints::breaks),
-                joined(
-                        "J6",
-                        "in a cradle on rods the last disc rises as high as the first",
-                        JointImpacts::cradles),
-                joined(
-                        "J11",
-                        "a rope that goes taut stops its ends along it, and carries a turn",
-                        JointImpacts::ropes),
-                joined(
-                        "J17",
-                        "what strikes a jointed body strikes all that is joined",
-                        JointImpacts::blows),
-                joined(
-                        "J16",
-                        "joined bodies obey the laws of order, mirror, scale, frame and strangers",
-                        JointLaws::run));
+        CaseList list = new CaseList();
+        list.fromGame(
+                "J1", "a pendulum swings at its period and keeps its energy", Swings::pendulums);
+        list.fromGame(
+                "J2", "a box swings on a hinge at its period and keeps its energy", Swings::boxes);
+        list.fromGame(
+                "J3",
+                "a double pendulum keeps its energy and goes its way",
+                Swings::doublePendulums);
+        list.fromGame(
+                "J4",
+                "a chain that is laid in its catenary stays there",
+                HangingChains::catenaries);
+        list.fromGame(
+                "J5", "light links carry ten thousand times their mass", HangingChains::heavyBobs);
+        list.fromGame("J7", "mechanisms are where geometry says", Mechanisms::run);
+        list.fromGame(
+                "J13",
+                "a car's wheels carry what statics says, and it climbs if they hold",
+                HillCar::run);
+        list.fromGame(
+                "J8",
+                "springs swing at their period, decay, and bear their load",
+                SpringJoints::run);
+        list.fromGame(
+                "J9",
+                "a motor drives up to its speed, and its work is the energy gained",
+                DrivenJoints::motors);
+        list.fromGame(
+                "J10",
+                "what strikes its limit stops there, or rebounds with e² of its energy",
+                DrivenJoints::limits);
+        list.fromGame("J14", "a joint breaks at its load", DrivenJoints::breaks);
+        list.fromGame(
+                "J6",
+                "in a cradle on rods the last disc rises as high as the first",
+                JointImpacts::cradles);
+        list.fromGame(
+                "J11",
+                "a rope that goes taut stops its ends along it, and carries a turn",
+                JointImpacts::ropes);
+        list.fromGame(
+                "J17",
+                "what strikes a jointed body strikes all that is joined",
+                JointImpacts::blows);
+        list.fromGame(
+                "J16",
+                "joined bodies obey the laws of order, mirror, scale, frame and strangers",
+                JointLaws::run);
+        return list.all();
     }
 
     /** Those whose truth is not yet reached in every figure. */
     static List<HardCase> open() {
-        return List.of(
-                joined(
-                                "J15/ragdolls",
-                                "ragdolls that fall on each other come to rest in one piece",
-                                new JointCrowd(2, 100, true, Assemblies::ragdolls))
-                        .finding(DRIFT),
-                joined(
-                                "J15/grid",
-                                "a net of hinges hangs together",
-                                new JointCrowd(8, 30, false, Assemblies::grid))
-                        .finding(DRIFT),
-                joined(
-                                "J15/doors",
-                                "sprung doors fall shut and rest",
-                                new JointCrowd(10, 50, true, Assemblies::doors))
-                        .finding(DRIFT),
-                joined(
-                        "J12",
-                        "a bridge stands under its load, and a cantilever at its wall",
-                        HangingChains::bridges),
-                HardCase.of(
-                                "J12/taut",
-                                "a bridge as long as its span stays closed under what falls on it",
-                                TautBridges::fallOnAll)
-                        .finding(SAG));
-    }
-
-    /** As a rule DRAFT is held to what is true in every case alone. */
-    private static HardCase joined(String row, String title, Scenes scenes) {
-        return HardCase.of(row, title, scenes).limitedFrom(Preset.GAME);
+        CaseList list = new CaseList();
+        list.fromGame(
+                        "J15/ragdolls",
+                        "ragdolls that fall on each other come to rest in one piece",
+                        new JointCrowd(2, 100, true, Assemblies::ragdolls))
+                .finding(DRIFT);
+        list.fromGame(
+                        "J15/grid",
+                        "a net of hinges hangs together",
+                        new JointCrowd(8, 30, false, Assemblies::grid))
+                .finding(DRIFT);
+        list.fromGame(
+                        "J15/doors",
+                        "sprung doors fall shut and rest",
+                        new JointCrowd(10, 50, true, Assemblies::doors))
+                .finding(DRIFT);
+        list.fromGame(
+                "J12",
+                "a bridge stands under its load, and a cantilever at its wall",
+                HangingChains::bridges);
+        list.add(
+                        "J12/taut",
+                        "a bridge as long as its span stays closed under what falls on it",
+                        TautBridges::fallOnAll)
+                .finding(SAG);
+        return list.all();
     }
 }

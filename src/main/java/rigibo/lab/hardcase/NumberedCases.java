@@ -9,219 +9,173 @@ final class NumberedCases {
 
     /** Those whose every figure is within its limit at GAME and at EXACT. */
     static List<HardCase> held() {
-        return List.of(
-                HardCase.of("1", "a thrown body follows its parabola", new FreeFlight()),
-                HardCase.of("2", "linear drag lets a speed decay exponentially", new LinearDrag()),
-                HardCase.of(
-                        "3",
-                        "quadratic drag lets a falling body approach its terminal speed",
-                        new QuadraticDrag()),
-                HardCase.of(
-                        "5", "torque and thrust accelerate as Newton says", new ThrustAndTorque()),
-                ofFields(
-                        "origin/fields",
-                        "a spring keeps its phase and an orbit its energy for a hundred turns",
-                        new SpringAndOrbit()),
-                ofFields(
-                        "origin/rebound-air",
-                        "a ball rebounds through air as high as the air lets it",
-                        new ReboundThroughAir()),
-                ofFields(
-                        "origin/bobbing",
-                        "a box bobs and rolls in water with its periods",
-                        new Bobbing()),
-                HardCase.of(
-                        "10",
-                        "a ball rebounds to e² of its height, at every phase of the step",
-                        new BallDrop()),
-                HardCase.of(
-                        "11",
-                        "two bodies exchange momentum head on, whatever their masses",
-                        new HeadOn()),
-                ofImpacts(
-                        "12", "discs that meet off centre part at a right angle", new OffCentre()),
-                ofImpacts(
-                        "13",
-                        "a disc thrown at the floor sticks or slips as Coulomb says",
-                        new ObliqueDisc()),
-                HardCase.of("14", "a rod that lands on one end rebounds turning", new RodEnd()),
-                HardCase.of("15", "a box that lands flat rebounds flat", new FlatLanding()),
-                HardCase.of("17", "a slow ball bounces between walls for ever", new SlowBall()),
-                HardCase.of("19", "a box on the floor does not move", new OneBox()),
-                stack(10),
-                stack(20),
-                stack(50).fastest(Preset.FINE),
-                HardCase.of("23", "a box rests across a gap and across a step", new UnevenFloor()),
-                HardCase.of(
-                        "25",
-                        "perfectly elastic bodies at rest do not begin to hop",
-                        new ElasticRest()),
-                HardCase.of(
-                        "26", "a box begins to slide at the angle of friction", new SlopeSweep()),
-                HardCase.of(
-                        "27",
-                        "a sliding box stops where friction says and stays there",
-                        new SlideToStop()),
-                HardCase.of(
-                        "32",
-                        "a disc in a narrow wedge presses both faces as statics says",
-                        new Wedge()),
-                HardCase.of("34", "a disc rolls down a slope without slipping", new RollingDown()),
-                HardCase.of(
-                        "36",
-                        "rolling resistance stops a disc and never turns it back",
-                        new RollingToStop()),
-                ofImpacts(
-                        "63",
-                        "a conveyor takes up what lies on it and carries it at its speed",
-                        new Conveyor()),
-                HardCase.of("40", "no bullet passes a wall", new Bullets()),
-                HardCase.of("41", "a disc in a room follows the unfolded line", new Billiard()),
-                ofImpacts(
-                        "42",
-                        "a rod that only turns is stopped by a corner in its way",
-                        new TurningRod()),
-                ofImpacts("45", "two bullets meet in flight", new BulletsMeet()),
-                ofImpacts("46", "a near miss is a miss and a graze is a graze", new Grazing()),
-                ofImpacts(
-                        "49",
-                        "a bouncing ball comes to rest after infinitely many bounces, in time",
-                        new Zeno()),
-                ofImpacts("50", "as many discs leave a row as came in", new Cradle())
-                        .finding(
-                                "At DRAFT nobody looks for impacts in flight: what is fast is found"
-                                        + " in overlap a step later, and pushed out."),
-                HardCase.of(
-                        "57",
-                        "senseless input is refused and extreme input stays finite",
-                        new DegenerateInput()),
-                HardCase.of("58", "far from the origin a pyramid settles the same", new FarAway()),
-                HardCase.of("64", "a box crushed between walls does not explode", new Crush()),
-                HardCase.of(
-                        "65", "what loses its support falls freely, at once", new DeletedSupport()),
-                HardCase.of(
-                        "65/event",
-                        "what a contact event names can be removed at once",
-                        new RemovedOnContact()),
-                HardCase.of(
-                        "origin/edge",
-                        "a box more than half on a surface stays, less than half tips off",
-                        new HalfOnAnEdge()),
-                HardCase.of(
-                        "origin/round-flat",
-                        "round bodies roll on, flat ones slide and stop, long ones do not tumble",
-                        new RoundRolls()),
-                HardCase.of(
-                        "origin/ice-rubber",
-                        "ice lets slide, rubber holds, and with enough force it tumbles",
-                        new IceAndRubber()),
-                HardCase.of(
-                        "origin/elasticity",
-                        "elasticity 1 never stops, one half stops in the end, 0 stays where it"
-                                + " lands",
-                        new ThreeElasticities()),
-                HardCase.of(
-                        "9",
-                        "the order in which bodies are added does not matter",
-                        new OrderOfBodies()),
-                HardCase.of("16", "vertex meets vertex without harm", new CornerOnCorner()),
-                HardCase.of("44", "a thin fast turning box never passes the floor", new SkinnyBox())
-                        .finding(
-                                "At DRAFT nobody looks for impacts in flight: what is fast is found"
-                                        + " in overlap a step later, and pushed out."),
-                ofImpacts(
-                        "51",
-                        "a disc that meets two at once rebounds with a fifth of its speed",
-                        new Bernoulli()),
-                HardCase.of("52", "a rack struck in the middle breaks symmetrically", new Rack()),
-                HardCase.of("60/wave", "the wave of falling dominoes is steady", Dominoes::wave),
-                ofCorners(
-                        "33",
-                        "a pushed rod slides as its equation says, and without one it does no harm",
-                        new Painleve()),
-                HardCase.of("60/arch", "an arch of stones stands by its own weight", new Arch()),
-                HardCase.of("22", "a column of discs does not fall by itself", new DiscColumn()),
-                HardCase.of("55", "a light body carries a heavy one", new HeavyOnLight()),
-                HardCase.of(
-                        "21/large",
-                        "a pyramid with a base of 10 boxes of 1.0 m is at rest",
-                        new Pyramid(10, 1)),
-                HardCase.of(
-                        "21/tiny",
-                        "a pyramid with a base of 30 boxes of 0.05 m is at rest",
-                        new Pyramid(30, 0.05)),
-                HardCase.of("20/untidy", "a stack set down carelessly stands", new UntidyStack()),
-                HardCase.of(
-                        "64/turning",
-                        "what a turning press crushes does not explode",
-                        new TurningPress()),
-                HardCase.of("47", "nothing catches at the joints of a floor", new ButtedBoxes()),
-                HardCase.of(
-                        "56",
-                        "bodies that begin in overlap part without an explosion",
-                        new BornInOverlap()));
+        CaseList list = new CaseList();
+        list.add("1", "a thrown body follows its parabola", new FreeFlight());
+        list.add("2", "linear drag lets a speed decay exponentially", new LinearDrag());
+        list.add(
+                "3",
+                "quadratic drag lets a falling body approach its terminal speed",
+                new QuadraticDrag());
+        list.add("5", "torque and thrust accelerate as Newton says", new ThrustAndTorque());
+        list.ofFields(
+                "origin/fields",
+                "a spring keeps its phase and an orbit its energy for a hundred turns",
+                new SpringAndOrbit());
+        list.ofFields(
+                "origin/rebound-air",
+                "a ball rebounds through air as high as the air lets it",
+                new ReboundThroughAir());
+        list.ofFields(
+                "origin/bobbing", "a box bobs and rolls in water with its periods", new Bobbing());
+        list.add(
+                "10",
+                "a ball rebounds to e² of its height, at every phase of the step",
+                new BallDrop());
+        list.add("11", "two bodies exchange momentum head on, whatever their masses", new HeadOn());
+        list.ofImpacts("12", "discs that meet off centre part at a right angle", new OffCentre());
+        list.ofImpacts(
+                "13",
+                "a disc thrown at the floor sticks or slips as Coulomb says",
+                new ObliqueDisc());
+        list.add("14", "a rod that lands on one end rebounds turning", new RodEnd());
+        list.add("15", "a box that lands flat rebounds flat", new FlatLanding());
+        list.add("17", "a slow ball bounces between walls for ever", new SlowBall());
+        list.add("19", "a box on the floor does not move", new OneBox());
+        list.add("20/10", "a stack of 10 boxes stands upright", new Stack(10));
+        list.add("20/20", "a stack of 20 boxes stands upright", new Stack(20));
+        // Fifty boxes are promised from FINE on.
+        list.add("20/50", "a stack of 50 boxes stands upright", new Stack(50)).fastest(Preset.FINE);
+        list.add("23", "a box rests across a gap and across a step", new UnevenFloor());
+        list.add("25", "perfectly elastic bodies at rest do not begin to hop", new ElasticRest());
+        list.add("26", "a box begins to slide at the angle of friction", new SlopeSweep());
+        list.add(
+                "27", "a sliding box stops where friction says and stays there", new SlideToStop());
+        list.add("32", "a disc in a narrow wedge presses both faces as statics says", new Wedge());
+        list.add("34", "a disc rolls down a slope without slipping", new RollingDown());
+        list.add(
+                "36",
+                "rolling resistance stops a disc and never turns it back",
+                new RollingToStop());
+        list.ofImpacts(
+                "63",
+                "a conveyor takes up what lies on it and carries it at its speed",
+                new Conveyor());
+        list.add("40", "no bullet passes a wall", new Bullets());
+        list.add("41", "a disc in a room follows the unfolded line", new Billiard());
+        list.ofImpacts(
+                "42", "a rod that only turns is stopped by a corner in its way", new TurningRod());
+        list.ofImpacts("45", "two bullets meet in flight", new BulletsMeet());
+        list.ofImpacts("46", "a near miss is a miss and a graze is a graze", new Grazing());
+        list.ofImpacts(
+                "49",
+                "a bouncing ball comes to rest after infinitely many bounces, in time",
+                new Zeno());
+        list.ofImpacts("50", "as many discs leave a row as came in", new Cradle())
+                .finding(
+                        "At DRAFT nobody looks for impacts in flight: what is fast is found"
+                                + " in overlap a step later, and pushed out.");
+        list.add(
+                "57",
+                "senseless input is refused and extreme input stays finite",
+                new DegenerateInput());
+        list.add("58", "far from the origin a pyramid settles the same", new FarAway());
+        list.add("64", "a box crushed between walls does not explode", new Crush());
+        list.add("65", "what loses its support falls freely, at once", new DeletedSupport());
+        list.add(
+                "65/event",
+                "what a contact event names can be removed at once",
+                new RemovedOnContact());
+        list.add(
+                "origin/edge",
+                "a box more than half on a surface stays, less than half tips off",
+                new HalfOnAnEdge());
+        list.add(
+                "origin/round-flat",
+                "round bodies roll on, flat ones slide and stop, long ones do not tumble",
+                new RoundRolls());
+        list.add(
+                "origin/ice-rubber",
+                "ice lets slide, rubber holds, and with enough force it tumbles",
+                new IceAndRubber());
+        list.add(
+                "origin/elasticity",
+                "elasticity 1 never stops, one half stops in the end, 0 stays where it" + " lands",
+                new ThreeElasticities());
+        list.add("9", "the order in which bodies are added does not matter", new OrderOfBodies());
+        list.add("16", "vertex meets vertex without harm", new CornerOnCorner());
+        list.add("44", "a thin fast turning box never passes the floor", new SkinnyBox())
+                .finding(
+                        "At DRAFT nobody looks for impacts in flight: what is fast is found"
+                                + " in overlap a step later, and pushed out.");
+        list.ofImpacts(
+                "51",
+                "a disc that meets two at once rebounds with a fifth of its speed",
+                new Bernoulli());
+        list.add("52", "a rack struck in the middle breaks symmetrically", new Rack());
+        list.add("60/wave", "the wave of falling dominoes is steady", Dominoes::wave);
+        list.ofCorners(
+                "33",
+                "a pushed rod slides as its equation says, and without one it does no harm",
+                new Painleve());
+        list.add("60/arch", "an arch of stones stands by its own weight", new Arch());
+        list.add("22", "a column of discs does not fall by itself", new DiscColumn());
+        list.add("55", "a light body carries a heavy one", new HeavyOnLight());
+        list.add(
+                "21/large",
+                "a pyramid with a base of 10 boxes of 1.0 m is at rest",
+                new Pyramid(10, 1));
+        list.add(
+                "21/tiny",
+                "a pyramid with a base of 30 boxes of 0.05 m is at rest",
+                new Pyramid(30, 0.05));
+        list.add("20/untidy", "a stack set down carelessly stands", new UntidyStack());
+        list.add("64/turning", "what a turning press crushes does not explode", new TurningPress());
+        list.add("47", "nothing catches at the joints of a floor", new ButtedBoxes());
+        list.add(
+                "56",
+                "bodies that begin in overlap part without an explosion",
+                new BornInOverlap());
+        return list.all();
     }
 
     /** Those whose truth is not yet reached in every figure. */
     static List<HardCase> open() {
-        return List.of(
-                ofCorners(
-                                "37",
-                                "the more corners a wheel has, the more it rolls like a disc",
-                                new ManyCornered())
-                        .finding(
-                                "By the impacts of its corners alone a wheel of 256 is 1.5 %"
-                                    + " behind, so 2 % leaves half a percent. At 3.4 m/s a corner"
-                                    + " lands 2.3 times a step; at GAME it lands within 0.1 mm of"
-                                    + " the slope, and what it falls through costs the rest. At"
-                                    + " EXACT the wheel of 16 corners has a little more energy"
-                                    + " after ten steps than it began with."),
-                ofCorners(
-                                "60/dominoes",
-                                "a row of dominoes falls, and one falls only if struck enough",
-                                Dominoes::fall)
-                        .finding(
-                                "At FINE and EXACT a domino struck at 1.01 of the threshold has"
-                                    + " some millionths more energy, when it falls, than it began"
-                                    + " with."),
-                HardCase.of("60/cards", "a house of cards of five storeys stands", new CardHouse())
-                        .fastest(Preset.FINE)
-                        .finding(
-                                "At EXACT taking back the overlap of the first steps lifts what"
-                                    + " lies above by 3e-6 of the energy at the start in a step."));
+        CaseList list = new CaseList();
+        list.ofCorners(
+                        "37",
+                        "the more corners a wheel has, the more it rolls like a disc",
+                        new ManyCornered())
+                .finding(
+                        "By the impacts of its corners alone a wheel of 256 is 1.5 %"
+                                + " behind, so 2 % leaves half a percent. At 3.4 m/s a corner"
+                                + " lands 2.3 times a step; at GAME it lands within 0.1 mm of"
+                                + " the slope, and what it falls through costs the rest. At"
+                                + " EXACT the wheel of 16 corners has a little more energy"
+                                + " after ten steps than it began with.");
+        list.ofCorners(
+                        "60/dominoes",
+                        "a row of dominoes falls, and one falls only if struck enough",
+                        Dominoes::fall)
+                .finding(
+                        "At FINE and EXACT a domino struck at 1.01 of the threshold has"
+                                + " some millionths more energy, when it falls, than it began"
+                                + " with.");
+        list.add("60/cards", "a house of cards of five storeys stands", new CardHouse())
+                .fastest(Preset.FINE)
+                .finding(
+                        "At EXACT taking back the overlap of the first steps lifts what"
+                                + " lies above by 3e-6 of the energy at the start in a step.");
+        return list.all();
     }
 
     /** Those that take minutes. */
     static List<HardCase> longRuns() {
-        return List.of(
-                HardCase.of(
-                        "59/stack",
-                        "a stack of 20 boxes stands for an hour",
-                        Stack::standForAnHour),
-                HardCase.of(
-                        "59/billiard",
-                        "a disc in a room keeps its speed for an hour",
-                        Billiard::keepSpeedForAnHour));
-    }
-
-    /** Fifty boxes are promised from FINE on. */
-    private static HardCase stack(int count) {
-        return HardCase.of(
-                "20/" + count, "a stack of " + count + " boxes stands upright", new Stack(count));
-    }
-
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
-    private static HardCase ofImpacts(String row, String title, Scenes scenes) {
-        return HardCase.of(row, title, scenes).limitedFrom(Preset.GAME);
-    }
-
-    /** DRAFT takes a force that changes along the way once a step. */
-    private static HardCase ofFields(String row, String title, Scenes scenes) {
-        return HardCase.of(row, title, scenes).limitedFrom(Preset.GAME);
-    }
-
-    /** One substep a step is too few for what turns on a corner. */
-    private static HardCase ofCorners(String row, String title, Scenes scenes) {
-        return HardCase.of(row, title, scenes).limitedFrom(Preset.GAME);
+        CaseList list = new CaseList();
+        list.add("59/stack", "a stack of 20 boxes stands for an hour", Stack::standForAnHour);
+        list.add(
+                "59/billiard",
+                "a disc in a room keeps its speed for an hour",
+                Billiard::keepSpeedForAnHour);
+        return list.all();
     }
 }
