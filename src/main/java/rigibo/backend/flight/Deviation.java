@@ -127,10 +127,8 @@ final class Deviation {
         double pulls =
                 instant.accelerationX * instant.accelerationX
                         + instant.accelerationY * instant.accelerationY;
-        // A torque whose terms cancel, such as that of a floating body that does not list, changes
-        // by
-        // as much as it is from one evaluation to the next: it would pass for the stiffest of
-        // forces.
+        // A torque whose terms cancel, such as that of a floating body that does not list, is all
+        // round-off: it changes by as much as it is, and would pass for the stiffest of forces.
         noise = square(RoundOff.OF_SUMS) * pulls;
         turningNoise =
                 noise * square(instant.boundingRadius * instant.mass * instant.inverseInertia);
