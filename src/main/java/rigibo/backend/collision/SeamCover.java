@@ -6,6 +6,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairIndex;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.RoundOff;
 
 /**
  * Tests whether a point of a fixed body is covered by its neighbours, the other fixed bodies near
@@ -213,7 +214,7 @@ final class SeamCover {
         double flush = -SeamPoint.FLUSH * at.width;
         double before = SeamPoint.CLOSED * at.width;
         return depth(p, at.x + before * at.outX, at.y + before * at.outY) >= flush
-                || depth(p, at.x, at.y) >= flush && reach(p) > SeamPoint.ROUND_OFF * at.width;
+                || depth(p, at.x, at.y) >= flush && reach(p) > RoundOff.OF_PLACES * at.width;
     }
 
     /**

@@ -6,6 +6,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.RoundOff;
 
 /**
  * A point of a fixed body at which another body may touch it: the two bodies, their poses, and the
@@ -18,9 +19,6 @@ final class SeamPoint {
 
     /** Largest width of a seam that counts as closed, per metre of the mover. */
     static final double CLOSED = 2e-3;
-
-    /** Round-off, per metre of the mover. */
-    static final double ROUND_OFF = 1e-9;
 
     /**
      * Sine of the angle up to which a normal counts as that of a face on which a face of the mover
@@ -93,7 +91,7 @@ final class SeamPoint {
     /** Finds the face to which the normal belongs, from the corners at the height of the point. */
     boolean findFace() {
         Outline polygon = bodies.outline[fixedShape];
-        double parallel = isFaceOfMover() ? PARALLEL : ROUND_OFF;
+        double parallel = isFaceOfMover() ? PARALLEL : RoundOff.OF_PLACES;
         ahead = 0;
         behind = 0;
         for (int i = 0; i < polygon.corners(); i++) {
@@ -119,7 +117,8 @@ final class SeamPoint {
         for (int i = 0; i < polygon.edges(); i++) {
             double nx = polygon.normalX(i);
             double ny = polygon.normalY(i);
-            if (nx * localX + ny * localY < 0 && Math.abs(nx * localY - ny * localX) <= ROUND_OFF) {
+            if (nx * localX + ny * localY < 0
+                    && Math.abs(nx * localY - ny * localX) <= RoundOff.OF_PLACES) {
                 return true;
             }
         }

@@ -5,6 +5,7 @@ import rigibo.backend.geometry.Outline;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.RoundOff;
 
 /**
  * Removes contact points that cannot touch, because they lie inside the seam between two fixed
@@ -158,7 +159,7 @@ final class Seams {
         for (int i = 0; i < faces; i++) {
             at.outX = at.fixedPose.cos * polygon.normalX(i) - at.fixedPose.sin * polygon.normalY(i);
             at.outY = at.fixedPose.sin * polygon.normalX(i) + at.fixedPose.cos * polygon.normalY(i);
-            if (at.outX * coveredX + at.outY * coveredY > -SeamPoint.ROUND_OFF) {
+            if (at.outX * coveredX + at.outY * coveredY > -RoundOff.OF_PLACES) {
                 double separation = placeOnFace(polygon, i);
                 if (separation > best
                         && at.findFace()

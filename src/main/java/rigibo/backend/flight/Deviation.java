@@ -6,6 +6,7 @@ import rigibo.backend.force.ChangingForces;
 import rigibo.backend.force.Instant;
 import rigibo.backend.setup.Integrator;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.RoundOff;
 
 /**
  * The deviation of a body, caused by forces that vary along the path, from an exactly known
@@ -24,14 +25,6 @@ final class Deviation {
 
     /** Share of a path's length after which a rate is evaluated again to find how it changes. */
     private static final double SMALL_CHANGE = 1e-3;
-
-    /**
-     * Share of the force itself that counts as round-off, and of the torque that it has at the
-     * body's rim. A torque whose terms cancel, such as that of a floating body that does not list,
-     * is nothing but round-off: it changes by as much as it is from one evaluation to the next, and
-     * would be taken for the stiffest of forces. Sums over 256 parts stay below.
-     */
-    private static final double ROUND_OFF = 1e-12;
 
     /** Most substeps of a path; stiffer forces are integrated implicitly, without overshooting. */
     private static final int MOST_SUBSTEPS = 1024;
@@ -134,7 +127,9 @@ final class Deviation {
         double pulls =
                 instant.accelerationX * instant.accelerationX
                         + instant.accelerationY * instant.accelerationY;
-        noise = square(ROUND_OFF) * pulls;
+        // A torque whose terms cancel, such as that of a floating body that does not list, is all
+        // round-off: it changes by as much as it is, and would pass for the stiffest of forces.
+        noise = square(RoundOff.OF_SUMS) * pulls;
         turningNoise =
                 noise * square(instant.boundingRadius * instant.mass * instant.inverseInertia);
     }

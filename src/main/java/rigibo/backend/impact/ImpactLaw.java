@@ -1,5 +1,7 @@
 package rigibo.backend.impact;
 
+import rigibo.backend.storage.RoundOff;
+
 import java.util.Arrays;
 
 /**
@@ -21,9 +23,6 @@ public final class ImpactLaw {
 
     /** Relative determinant of two rows below which their points count as one point. */
     private static final double SINGULAR = 1e-9;
-
-    /** Round-off of sums over rows, as a share of the speeds summed. */
-    private static final double ROUND_OFF = 1e-12;
 
     private Impact impact;
     private final double[] k = new double[9];
@@ -125,7 +124,8 @@ public final class ImpactLaw {
             after += k[3 * i + j] * result[j];
         }
         // The other point's impulse may lift this one exactly at the limit: allow for round-off.
-        return after >= target[i] - ROUND_OFF * (Math.abs(velocity[i]) + Math.abs(target[i]));
+        return after
+                >= target[i] - RoundOff.OF_SUMS * (Math.abs(velocity[i]) + Math.abs(target[i]));
     }
 
     private boolean solveOne(int i, double friction) {
@@ -221,7 +221,8 @@ public final class ImpactLaw {
         for (int j = 0; j < 3; j++) {
             after += k[3 * TANGENT + j] * result[j];
         }
-        return result[TANGENT] * after <= ROUND_OFF * Math.abs(result[TANGENT] * velocity[TANGENT]);
+        return result[TANGENT] * after
+                <= RoundOff.OF_SUMS * Math.abs(result[TANGENT] * velocity[TANGENT]);
     }
 
     /** The work of impulses scaled by s is s·j·v + ½s²·j·K·j; it must not be positive. */

@@ -1,6 +1,7 @@
 package rigibo.backend.impact;
 
 import rigibo.backend.algebra.EnvelopeFactor;
+import rigibo.backend.storage.RoundOff;
 
 /**
  * Solves all active rows of tied impacts as one system of equations: points that push, friction
@@ -22,12 +23,6 @@ final class TiedElimination {
      * bounds the solution.
      */
     private static final double FARTHEST = 1e4;
-
-    /**
-     * Share of the fastest approach below which what a row carries is round-off: whether bodies
-     * side by side press each other by 10⁻¹⁷ N·s must not choose the equations.
-     */
-    private static final double NOISE = 1e-12;
 
     private final TiedRows rows;
 
@@ -55,7 +50,8 @@ final class TiedElimination {
      * @return multiplications done, 0 if there was nothing to solve
      */
     double solve(double fastest) {
-        choose(NOISE * fastest);
+        // Whether bodies side by side press each other by 10⁻¹⁷ N·s must not choose the equations.
+        choose(RoundOff.OF_SUMS * fastest);
         if (size < 2 || size > MOST_ROWS) {
             return 0;
         }

@@ -17,13 +17,6 @@ public final class PairTolerances {
      */
     public static final double INVISIBLE_LIFT = 0.5e-3;
 
-    /**
-     * Share of an acceleration that counts as round-off of a normal. Two boxes that fall side by
-     * side do not press on each other, though their common normal is horizontal only up to a few
-     * ulp. The share is some 4,000 ulp, because far from the origin a normal is less exact.
-     */
-    private static final double ROUND_OFF = 1e-12;
-
     private PairTolerances() {}
 
     /**
@@ -58,16 +51,17 @@ public final class PairTolerances {
         double weights =
                 (Math.abs(bodies.accelerationX[a]) + Math.abs(bodies.accelerationY[a]))
                         + (Math.abs(bodies.accelerationX[b]) + Math.abs(bodies.accelerationY[b]));
-        return force * (bodies.inverseMass[a] + bodies.inverseMass[b]) > ROUND_OFF * weights;
+        return force * (bodies.inverseMass[a] + bodies.inverseMass[b]) > RoundOff.OF_SUMS * weights;
     }
 
     /**
      * Component of an acceleration (ax, ay) in m/s² along a unit normal; 0 where it is no more than
-     * round-off of the normal.
+     * round-off of the normal. Two boxes that fall side by side do not press on each other, though
+     * their common normal is horizontal only up to a few ulp.
      */
     public static double along(double ax, double ay, double normalX, double normalY) {
         double component = ax * normalX + ay * normalY;
-        double least = ROUND_OFF * (Math.abs(ax) + Math.abs(ay));
+        double least = RoundOff.OF_SUMS * (Math.abs(ax) + Math.abs(ay));
         return Math.abs(component) > least ? component : 0;
     }
 

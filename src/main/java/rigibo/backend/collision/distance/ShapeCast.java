@@ -3,6 +3,7 @@ package rigibo.backend.collision.distance;
 import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.setup.ImpactSearch;
+import rigibo.backend.storage.RoundOff;
 
 /**
  * The time at which an outline that moves in a straight line, without turning, meets another one at
@@ -16,9 +17,6 @@ public final class ShapeCast {
 
     /** Half the thickness of the line, as a share of its length. */
     private static final double THIN = 1e-10;
-
-    /** Sine of the angle by which the axis may point behind an edge: its round-off. */
-    private static final double ROUND_OFF = 1e-9;
 
     private final TimeOfImpact search = new TimeOfImpact();
     private final Distance distance = new Distance();
@@ -60,6 +58,6 @@ public final class ShapeCast {
         }
         double x = at.cos * outline.normalX(0) - at.sin * outline.normalY(0);
         double y = at.sin * outline.normalX(0) + at.cos * outline.normalY(0);
-        return axisX * x + axisY * y >= -ROUND_OFF;
+        return axisX * x + axisY * y >= -RoundOff.OF_PLACES;
     }
 }

@@ -1,6 +1,7 @@
 package rigibo.backend.collision.manifold;
 
 import rigibo.backend.geometry.Outline;
+import rigibo.backend.storage.RoundOff;
 
 /**
  * Manifold of an edge of a chain, as A, and any outline, as B. An edge pushes along its normal, if
@@ -10,9 +11,6 @@ import rigibo.backend.geometry.Outline;
  * of the next edge. So a body does not catch on a corner that it slides over.
  */
 public final class EdgeContact {
-
-    /** Round-off of a position over the edge, per metre of the outline. */
-    private static final double ROUND_OFF = 1e-9;
 
     /**
      * Largest overlap, per metre of the outline, of a body that rests beside an edge and is about
@@ -47,7 +45,7 @@ public final class EdgeContact {
     int collide(Outline edge, Pose poseE, Outline other, Pose poseO, double reach, Manifold out) {
         double width = other.isEdge() ? 0 : other.smallestWidth();
         slack = SLACK * width;
-        view.look(edge, poseE, other, poseO, ROUND_OFF * width);
+        view.look(edge, poseE, other, poseO, RoundOff.OF_PLACES * width);
         double radius = other.radius();
         if (view.least - radius > reach || view.most + radius <= 0) {
             return 0;
