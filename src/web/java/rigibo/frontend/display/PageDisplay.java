@@ -13,6 +13,7 @@ import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.sound.Speaker;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
@@ -140,6 +141,12 @@ public final class PageDisplay implements Director {
     @Override
     public Player player() {
         return player;
+    }
+
+    /** Nobody finds a file in the browser's storage. */
+    @Override
+    public Optional<Path> measurements() {
+        return Optional.empty();
     }
 
     @Override

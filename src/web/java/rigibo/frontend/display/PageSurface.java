@@ -8,6 +8,7 @@ import org.teavm.jso.canvas.CanvasRenderingContext2D;
 import org.teavm.jso.dom.html.HTMLCanvasElement;
 import org.teavm.jso.dom.html.HTMLDocument;
 import org.teavm.jso.webgl.WebGL2RenderingContext;
+import org.teavm.jso.webgl.WebGLRenderingContext;
 
 import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.draw.Painter;
@@ -65,7 +66,7 @@ final class PageSurface {
         layOut(scene, settings);
         // Chromium otherwise clears what the ground was copied to, with the first thing drawn on
         // it.
-        gl.clear(gl.COLOR_BUFFER_BIT);
+        gl.clear(WebGLRenderingContext.COLOR_BUFFER_BIT);
         Paper.clear();
         painter.begin(layout, begin / 1e9, choice.detail(settings.detail()));
         scene.draw(painter);

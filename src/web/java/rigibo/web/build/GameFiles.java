@@ -42,6 +42,8 @@ final class GameFiles {
         Files.writeString(folder.resolve("files.txt"), all);
         font("Quicksand-Bold.ttf", folder.resolve("words.ttf"));
         font("JetBrainsMono-Medium.ttf", folder.resolve("numbers.ttf"));
+        font("Quicksand-LICENCE.txt", folder.resolve("words-licence.txt"));
+        font("JetBrainsMono-LICENCE.txt", folder.resolve("numbers-licence.txt"));
     }
 
     /** The page has no schema to hold them against. */
@@ -71,6 +73,7 @@ final class GameFiles {
         }
     }
 
+    /** A font, or the licence that goes with it. */
     private void font(String name, Path to) throws IOException {
         Path from = home.resolve("assets/fonts").resolve(name);
         Files.copy(from, to, StandardCopyOption.REPLACE_EXISTING);

@@ -6,6 +6,7 @@ import org.teavm.jso.browser.Window;
 import rigibo.frontend.demo.Demos;
 import rigibo.frontend.display.PageDisplay;
 import rigibo.frontend.gallery.Gallery;
+import rigibo.frontend.laboratory.Laboratory;
 import rigibo.frontend.menu.LevelsScene;
 import rigibo.frontend.menu.MenuScene;
 import rigibo.frontend.puzzle.Levels;
@@ -46,11 +47,12 @@ public final class GamePage {
         keeping.begin();
     }
 
-    /** What there is in the page; the laboratory and the editor are not in it yet. */
+    /** What there is in the page; the editor is not in it yet. */
     private static List<SceneEntry> entries() {
         List<SceneEntry> entries = new ArrayList<>(Levels.entries());
         entries.addAll(Demos.entries());
         entries.add(Gallery.entry());
+        entries.add(Laboratory.entry());
         return entries;
     }
 
