@@ -106,9 +106,8 @@ public final class Flight {
         reserve();
         disturbance.begin();
         for (int i = 0; i < pairs.activeCount; i++) {
-            // The edge of a chain has no points until a body is above it.
             int pair = pairs.active[i];
-            if (pairs.points[pair] > 0 || narrowphase.isOneSided(pair)) {
+            if (pairs.points[pair] > 0 || mayMeetLater(pair)) {
                 predict(pair, 0, dt);
             }
         }
@@ -121,6 +120,21 @@ public final class Flight {
         }
         free.finish(dt);
         narrowphase.leaveOutInner(dt);
+    }
+
+    /**
+     * Whether a pair without points may get some within the step. The edge of a chain has none
+     * until a body is above it; a part has none where it lies in a seam of its own body, until the
+     * body has turned.
+     */
+    private boolean mayMeetLater(int pair) {
+        return narrowphase.isOneSided(pair)
+                || bodies.turns()
+                        && (turnsInParts(pairs.bodyA[pair]) || turnsInParts(pairs.bodyB[pair]));
+    }
+
+    private boolean turnsInParts(int body) {
+        return bodies.nextShapeOf(body) != Pairs.NONE && bodies.spin[body] != 0;
     }
 
     /** Makes a bystander part of a pile. */

@@ -176,7 +176,9 @@ public final class TimeOfImpact {
             return touching(from, found, foundGap, least);
         }
         double near = newton(from, found, found, foundGap - middle);
-        return near == found ? found : newton(from, found, near, gapAt(near) - middle);
+        double left = near == found ? 0 : gapAt(near) - middle;
+        boolean isNearer = Math.abs(left) < Math.abs(foundGap - middle);
+        return isNearer ? newton(from, found, near, left) : found;
     }
 
     /**
