@@ -87,9 +87,8 @@ final class MovingPiles {
                         "a pile on a moving floor fares as on a floor at rest",
                         new MovingFloor())
                 .finding(
-                        "Storeys of a regular pyramid land at the same time, and from one impact to"
-                            + " the next round-off can choose which of two equal ones is an impact"
-                            + " at all.");
+                        "A pyramid can carry its load in more ways than one. While it moves,"
+                                + " round-off chooses which of them elimination takes.");
         List<Integer> many = List.of(23, 50, 100, 200);
         born(list, "many-discs", new BornAtOneSpot(DISC, List.of(23), many)).finding(LINE);
         born(list, "many-boxes", new BornAtOneSpot(BOX, List.of(23), many)).finding(LINE);
