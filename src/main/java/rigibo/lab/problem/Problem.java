@@ -47,12 +47,12 @@ public record Problem(
         this(id, title, error, equalBelow, lines, false, true, setup);
     }
 
-    /** The same that takes minutes. */
+    /** This problem, marked as one that takes minutes. */
     Problem ofMinutes() {
         return new Problem(id, title, error, equalBelow, lines, true, isForAll, setup);
     }
 
-    /** The same that only ours is asked. */
+    /** This problem, asked of our engine alone. */
     Problem ofOursAlone() {
         return new Problem(id, title, error, equalBelow, lines, isLong, false, setup);
     }

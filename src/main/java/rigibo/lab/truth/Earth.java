@@ -21,7 +21,7 @@ public final class Earth {
         return Effects.usual().without(Sleep.class);
     }
 
-    /** The same without weight. */
+    /** The effects of Earth but for gravity. */
     public static Effects space() {
         return effects().without(Gravity.class);
     }

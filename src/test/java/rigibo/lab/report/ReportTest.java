@@ -8,7 +8,7 @@ import rigibo.lab.report.Report.Passage;
 
 import java.util.List;
 
-/** The same report at a terminal and on a page. */
+/** A report reads alike at a terminal and on a page. */
 class ReportTest {
 
     private static final Table TABLE =

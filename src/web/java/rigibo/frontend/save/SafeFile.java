@@ -19,7 +19,7 @@ public record SafeFile(Path file) {
         replace();
     }
 
-    /** The same, for nobody waits here. */
+    /** Writes as {@link #write} does, since files in memory are written at once. */
     public void writeWithoutWaiting(byte[] bytes) throws IOException {
         write(bytes);
     }

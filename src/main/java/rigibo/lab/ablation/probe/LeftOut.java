@@ -66,7 +66,7 @@ public record LeftOut(Workload scene, String effect, Effects remaining) {
                 .toList();
     }
 
-    /** What is left of the scene. */
+    /** The scene with the remaining effects; it is driven only if thrust is one of them. */
     Workload rest() {
         boolean isDriven = remaining.declares(Thrust.class);
         return scene.with(remaining, scene.laidOut(), isDriven ? scene.drive() : Workload.UNDRIVEN);

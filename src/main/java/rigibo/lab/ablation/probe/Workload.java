@@ -36,7 +36,7 @@ public record Workload(
         return laidOut.get();
     }
 
-    /** The same scene under other effects, with other bodies and another driver. */
+    /** This scene under other effects, with other bodies and another driver. */
     Workload with(
             Effects others, Supplier<List<BodyDefinition>> bodies, Consumer<Pool> otherDrive) {
         return new Workload(name, words, others, bodies, stepsToSettle, period, otherDrive);

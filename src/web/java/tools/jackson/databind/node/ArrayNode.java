@@ -74,7 +74,7 @@ public final class ArrayNode extends JsonNode {
         return added;
     }
 
-    /** The same values, in objects and lists of their own. */
+    /** A copy that shares no object or list with this one. */
     public ArrayNode deepCopy() {
         ArrayNode copy = new ArrayNode();
         values.forEach(value -> copy.add(ObjectNode.copyOf(value)));

@@ -94,7 +94,7 @@ public final class ObjectNode extends JsonNode {
         return has(name) ? (ArrayNode) get(name) : putArray(name);
     }
 
-    /** The same values, in objects and lists of their own. */
+    /** A copy that shares no object or list with this one. */
     public ObjectNode deepCopy() {
         ObjectNode copy = new ObjectNode();
         values.forEach((name, value) -> copy.set(name, copyOf(value)));
