@@ -52,6 +52,9 @@ public final class EdgeContact {
         }
         findSide();
         gapOfFace = faceGap(radius);
+        if (gapOfFace < 0 && isBehindRidge(radius)) {
+            gapOfFace = Double.POSITIVE_INFINITY;
+        }
         gapOfCorner = Double.POSITIVE_INFINITY;
         if (!(isFlat && gapOfFace < Double.POSITIVE_INFINITY)) {
             findCorner(true, radius);
@@ -137,6 +140,22 @@ public final class EdgeContact {
         return least - radius;
     }
 
+    /**
+     * Whether an outline that reaches below the edge's plane does not touch the edge: it lies
+     * against the other flank of a ridge, and the edge's normal would lead it through that.
+     */
+    private boolean isBehindRidge(double radius) {
+        if (!view.isConvex(true) && !view.isConvex(false) || view.isPierced()) {
+            return false;
+        }
+        view.lookFrom(true);
+        boolean isIn = view.isInside;
+        double toEnds = view.distance;
+        view.lookFrom(false);
+        isIn |= view.isInside;
+        return !isIn && Math.min(nearestOver(), Math.min(toEnds, view.distance)) > radius;
+    }
+
     /** Whether part of the lowest side, not only a point of it, lies over the edge. */
     private boolean isAcross() {
         return view.along[left] < view.half && view.along[right] > -view.half;
@@ -177,10 +196,12 @@ public final class EdgeContact {
     /**
      * Writes the edge's own contact beside a corner that the previous edge reports, since a body
      * that turns about this corner comes to lie on the edge. It writes none if the core lies deeper
-     * beyond the corner than over the edge, because the edge's normal then does not lead out.
+     * beyond the corner than over the edge, or over the edge deeper than the corner lies in it, as
+     * at a sharp ridge: the edge's normal then does not lead out.
      */
     private void writeBesideCorner(Pose pose, double radius, double reach, Manifold out) {
-        boolean leadsOut = gapOfFace > 0 || view.leastBeyond(true) >= view.leastOver;
+        boolean isShallow = gapOfFace >= gapOfCorner - slack;
+        boolean leadsOut = gapOfFace > 0 || isShallow && view.leastBeyond(true) >= view.leastOver;
         if (gapOfFace < Double.POSITIVE_INFINITY && leadsOut) {
             writeFace(pose, radius, reach, out);
         }
@@ -189,7 +210,8 @@ public final class EdgeContact {
     private void writeCorner(Pose pose, double radius, double reach, Manifold out) {
         if (gapOfCorner <= reach) {
             addCorner(pose, isCornerAtStart, radius, out);
-            if (view.isOfFace) {
+            // A side that lies on the other flank of a ridge does not end over this edge.
+            if (view.isOfFace && view.directionY > 0) {
                 addFarEnd(pose, radius, reach, out);
             }
         }

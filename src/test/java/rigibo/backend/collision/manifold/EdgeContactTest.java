@@ -1,0 +1,94 @@
+package rigibo.backend.collision.manifold;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import rigibo.backend.geometry.Chain;
+import rigibo.backend.geometry.Polygon;
+
+import java.util.SplittableRandom;
+
+/** A box and a ridge, whose top is the origin and whose flanks fall by any slope. */
+class EdgeContactTest {
+
+    private static final int RIGHT = 0;
+    private static final int LEFT = 1;
+    private static final double ROUND_OFF = 1e-12;
+    private static final Polygon BOX = Polygon.box(1.2, 0.5);
+
+    private final Collider collider = new Collider();
+    private final Manifold manifold = new Manifold();
+
+    /** The flanks are 10 m wide each. */
+    private static Chain ridge(double slope) {
+        return Chain.open(10, -10 * slope, 0, 0, -10, -10 * slope);
+    }
+
+    private Manifold meet(Chain ridge, int edge, Pose box) {
+        collider.collide(
+                ridge.outline(edge), Meeting.pose(0, 0, 0), BOX.outline(0), box, 1, manifold);
+        return manifold;
+    }
+
+    /**
+     * A box that lies on the right flank, beyond its top, is behind the left one, and touches
+     * nothing of it.
+     */
+    @Test
+    void nobodyIsPushedThroughARidgeBySomethingBehindIt() {
+        double slope = 3;
+        double length = Math.sqrt(1 + slope * slope);
+        // 0.3 m down the flank, and half the height of 0.5 m and a gap of 0.01 m off it.
+        double x = (0.3 + 0.26 * slope) / length;
+        double y = (-0.3 * slope + 0.26) / length;
+        Pose lying = Meeting.pose(x, y, -Math.atan(slope));
+
+        assertThat(meet(ridge(slope), RIGHT, lying).separation[0])
+                .isEqualTo(0.01, within(ROUND_OFF));
+        assertThat(meet(ridge(slope), LEFT, lying).count).isZero();
+    }
+
+    /** What does not overlap the matter under both flanks has no contact that overlaps. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.1, 0.7, 1.5, 3, 8})
+    void noContactOverlapsWhereNothingDoes(double slope) {
+        Chain ridge = ridge(slope);
+        Polygon matter = Polygon.of(-10, -10 * slope, 10, -10 * slope, 0, 0);
+        SplittableRandom random = new SplittableRandom(1);
+        int met = 0;
+        for (int i = 0; i < 20_000; i++) {
+            Pose box =
+                    Meeting.pose(
+                            2 * random.nextDouble() - 1,
+                            2 * random.nextDouble() - 1,
+                            6 * random.nextDouble());
+            collider.collide(
+                    matter.outline(0),
+                    Meeting.pose(matter.centroidX(), matter.centroidY(), 0),
+                    BOX.outline(0),
+                    box,
+                    1,
+                    manifold);
+            boolean isApart = manifold.count == 0 || least() > 0;
+            if (isApart) {
+                for (int edge = RIGHT; edge <= LEFT; edge++) {
+                    met += meet(ridge, edge, box).count;
+                    assertThat(least()).as("draw %d, edge %d", i, edge).isGreaterThan(-ROUND_OFF);
+                }
+            }
+        }
+        assertThat(met).isGreaterThan(2_000);
+    }
+
+    private double least() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int point = 0; point < manifold.count; point++) {
+            least = Math.min(least, manifold.separation[point]);
+        }
+        return least;
+    }
+}
