@@ -3,6 +3,7 @@ package rigibo.backend.flight;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
+import rigibo.backend.storage.JointStore;
 import rigibo.backend.storage.Pairs;
 
 import java.util.Arrays;
@@ -36,6 +37,9 @@ final class Disturbance {
     private final Bystanders bystanders;
     private final Joining joining;
 
+    /** Null if joints are not declared. */
+    private final JointStore joints;
+
     /**
      * Bodies whose neighbours are still to be searched, in the order found; and those in progress.
      */
@@ -50,6 +54,7 @@ final class Disturbance {
     Disturbance(DataStorage data, Trajectories paths, Bystanders bystanders, Joining joining) {
         bodies = data.bodies;
         pairs = data.pairs;
+        joints = data.joints;
         this.paths = paths;
         this.bystanders = bystanders;
         this.joining = joining;
@@ -140,6 +145,24 @@ final class Disturbance {
                     noteBouncersOf(other, dt - time);
                 }
                 note(other, left);
+            }
+        }
+        if (joints != null) {
+            disturbJoined(slot, reach);
+        }
+    }
+
+    /**
+     * Hands the reach of a body on to those that are joined to it. They become no faster than it
+     * is, nor than its energy can make them. So contacts, which keep to that energy, too, and
+     * joints cannot hand a reach round in circles in which it grows.
+     */
+    private void disturbJoined(int slot, double reach) {
+        for (int j = joints.firstOf(slot); j != JointStore.NONE; j = joints.nextOf(j, slot)) {
+            if (joints.hasRows(bodies, j)) {
+                int other = joints.other(j, slot);
+                double share = Math.sqrt(bodies.inverseMass[other] / bodies.inverseMass[slot]);
+                note(other, Math.min(1, share) * reach);
             }
         }
     }

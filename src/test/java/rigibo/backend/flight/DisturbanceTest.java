@@ -7,8 +7,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.JointKind;
 import rigibo.backend.storage.Pairs;
 
 import java.util.ArrayList;
@@ -201,5 +204,45 @@ class DisturbanceTest {
 
         assertThat(joined.contains(beside)).isEqualTo(joins);
         assertThat(air.bodies.piled[beside]).isEqualTo(joins);
+    }
+
+    /**
+     * Who is joined to a disturbed disc of m = 1 kg goes as far, or less by √(m/M) if it is of more
+     * mass M: both have the same energy then.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.01, 1", "1, 1", "4, 0.5"})
+    void aJointHandsOnNoMoreThanTheWayAndItsEnergy(double mass, double share) {
+        Air jointed = new Air(Accuracy.GAME, new Contacts(), new Joints());
+        int struck = jointed.add(Air.disc(0, 0, 1));
+        int mate = jointed.add(Air.disc(50, 0, 1).mass(mass));
+        int near = jointed.add(Air.disc(52 + 0.9 * share, 0, 1));
+        int far = jointed.add(Air.disc(48 - 1.1 * share, 0, 1));
+        jointed.pile(struck);
+        jointed.pile(mate);
+        jointed.storage.data.joints.add(JointKind.WELD, struck, mate);
+        Trajectories courses = new Trajectories(jointed.bodies);
+        List<Integer> met = new ArrayList<>();
+        Disturbance spreading =
+                new Disturbance(
+                        jointed.storage.data,
+                        courses,
+                        new Bystanders(
+                                jointed.storage.data,
+                                jointed.narrowphase,
+                                jointed.broadphase,
+                                courses,
+                                Accuracy.GAME.impactTolerance()),
+                        (flyer, body, time, dt) -> {
+                            courses.land(flyer, time);
+                            met.add(flyer);
+                        });
+        jointed.meet(DT);
+        courses.begin();
+        spreading.begin();
+        spreading.note(struck, 1);
+        spreading.spread(0, DT);
+
+        assertThat(met).containsExactly(near).doesNotContain(far);
     }
 }
