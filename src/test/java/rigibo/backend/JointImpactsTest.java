@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -15,6 +16,7 @@ import rigibo.backend.setup.Material;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 
 /** Impacts on joined bodies, at limits and at the ends of ropes, against the law of impact. */
 class JointImpactsTest {
@@ -266,5 +268,39 @@ class JointImpactsTest {
         double effective = 1 + bob.inertia();
         assertThat(hits.get(0).speed())
                 .isCloseTo(Math.sqrt(2 * JointScenes.G / effective), within(1e-3));
+    }
+
+    /**
+     * A capsule on a slack rope lands nearly upright, with one end in reach of the floor and then
+     * both. Its lowest point, h/2·|sin θ| + r below its centre, stays above the floor but for the
+     * gap that counts as touching, 1e-4 of its width of 2·r.
+     */
+    @Test
+    void capsuleOnASlackRopeLandsOnItsEnd() {
+        SplittableRandom random = new SplittableRandom(3);
+        int landed = 0;
+        for (int i = 0; i < 100; i++) {
+            Pool pool = new Pool(JointScenes.EARTH, Accuracy.GAME);
+            pool.add(BodyDefinition.fixed(Polygon.box(40, 2)).at(0, -1).material(elastic(0)));
+            double half = 0.2 + 0.3 * random.nextDouble();
+            double height = 2 + random.nextDouble();
+            RigidBody capsule =
+                    pool.add(
+                            BodyDefinition.dynamic(new Capsule(half, 0.6 * half))
+                                    .at(0, height)
+                                    .angle(Math.PI / 2 + 0.6 * random.nextDouble() - 0.3)
+                                    .velocity(0, -10 * random.nextDouble())
+                                    .spin(4 * random.nextDouble() - 2)
+                                    .material(elastic(0)));
+            RigidBody weight = pool.add(BodyDefinition.dynamic(new Circle(0.3)).at(1, height + 2));
+            pool.join(DistanceJoint.rope(capsule, 0, height, weight, 1, height + 2, 6));
+            for (int step = 0; step < 60; step++) {
+                pool.step(Scenes.DT);
+                double low = half * Math.abs(Math.sin(capsule.angle())) + 0.6 * half;
+                assertThat(capsule.y() - low).as("draw " + i).isGreaterThan(-1.2e-4 * half);
+            }
+            landed += capsule.y() < 2 * half ? 1 : 0;
+        }
+        assertThat(landed).isGreaterThan(90);
     }
 }

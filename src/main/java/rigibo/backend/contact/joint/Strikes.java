@@ -54,6 +54,9 @@ public final class Strikes {
     private boolean isAnyStriking;
     private boolean mayBeComposed;
 
+    /** Whether the part is composed, in which every stop is watched that is not held. */
+    private boolean isComposed;
+
     Strikes(
             Motions motions,
             PackedContacts contacts,
@@ -90,6 +93,7 @@ public final class Strikes {
     void find(double h, boolean areVelocitiesOfNow, boolean isComposed) {
         watchNothing();
         mayBeComposed = true;
+        this.isComposed = isComposed;
         for (int i = 0; i < rows.count; i++) {
             if (stops.isStop(i)) {
                 find(i, h, areVelocitiesOfNow, isComposed);
@@ -121,18 +125,51 @@ public final class Strikes {
     }
 
     private void watch(int i, double limit, double tolerance) {
+        add(i, rows.joint[i], rows.contact[i], rows.part[i], rows.place[i]);
+        open(limit, tolerance);
+    }
+
+    private void add(int ofRow, int ofJoint, int ofContact, int ofPart, double place) {
         if (count == row.length) {
             grow();
         }
-        row[count] = i;
-        joint[count] = rows.joint[i];
-        contact[count] = rows.contact[i];
-        part[count] = rows.part[i];
-        gap[count] = rows.place[i];
+        row[count] = ofRow;
+        joint[count] = ofJoint;
+        contact[count] = ofContact;
+        part[count] = ofPart;
+        gap[count] = place;
+    }
+
+    /** Leaves the stop that was added out of the solution. */
+    private void open(double limit, double tolerance) {
         least[count] = limit;
         near[count] = tolerance;
         set(count, RowStates.OPEN);
         count++;
+    }
+
+    /**
+     * Watches the points that a contact has got by being measured anew. In a stage back in time a
+     * row that is bound would throw its bodies apart.
+     */
+    private void watchNewPoints(int like) {
+        int of = contact[like];
+        for (int k = 0; k < contacts.points[of]; k++) {
+            int point = PackedContacts.IMPULSE0 + k;
+            if (!isWatched(of, point)) {
+                add(row[like], NeutralRows.NONE, of, point, motions.gap(contacts, of, k));
+                open(least[like], near[like]);
+            }
+        }
+    }
+
+    private boolean isWatched(int ofContact, int point) {
+        for (int i = 0; i < count; i++) {
+            if (joint[i] == NeutralRows.NONE && contact[i] == ofContact && part[i] == point) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void grow() {
@@ -239,6 +276,9 @@ public final class Strikes {
             double width = contacts.data[contact[i] * PackedContacts.STRIDE + PackedContacts.WIDTH];
             if (Math.abs(place) < NEAR_WIDTH * width) {
                 fresh.measure(contact[i], left);
+                if (isComposed) {
+                    watchNewPoints(i);
+                }
                 point = point(i);
                 place = motions.gap(contacts, contact[i], point);
             }
