@@ -141,7 +141,7 @@ final class JointedKicks {
         contacts.addUpImpulses(1);
         motions.drift(h);
         if (overlap != null) {
-            if (contacts.count > 0 && !stages.areComposed() && !joints.takesOverlapBack()) {
+            if (contacts.count > 0 && !stages.areComposed()) {
                 takeOverlapBack(h, substep);
             }
             joints.correct(h);
@@ -151,7 +151,9 @@ final class JointedKicks {
     }
 
     private void takeOverlapBack(double h, int substep) {
-        if (locks != null && locks.areAny()) {
+        if (joints.takesOverlapBack()) {
+            joints.takeOverlapBack(h);
+        } else if (locks != null && locks.areAny()) {
             joints.lockedOverlap.correct(h, PASSES_OVER_OVERLAP);
         } else {
             overlap.correctInPasses(h, substep, PASSES_OVER_OVERLAP);

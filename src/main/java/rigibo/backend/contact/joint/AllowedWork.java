@@ -36,7 +36,12 @@ final class AllowedWork {
     /** Whether rows did no work but round-off, in an island that is small or not. */
     boolean isNone(boolean isSmall) {
         double done = isSmall ? Math.min(work.sum(), work.sumOfStops()) : work.sum();
-        return done <= ROUND_OFF * energy();
+        return done <= ROUND_OFF * energy() && !isAnyDriven();
+    }
+
+    /** Whether brakes drove bodies, or these gained what no row gave them. */
+    boolean isAnyDriven() {
+        return work.sumOfBrakes() > ROUND_OFF * energy() || !work.isAllOfRows();
     }
 
     private double energy() {

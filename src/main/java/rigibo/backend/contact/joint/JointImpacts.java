@@ -173,7 +173,11 @@ public final class JointImpacts {
         memory.keep();
         elimination.forget();
         solver.begin();
-        boolean isSolved = solver.solve(SETTLED * motions.fastest()) && limitEnergy();
+        boolean isSolved = solver.solve(SETTLED * motions.fastest());
+        if (isSolved) {
+            memory.redo();
+            isSolved = limitEnergy();
+        }
         if (isSolved) {
             tell();
         } else {

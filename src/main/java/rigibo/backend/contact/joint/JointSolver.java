@@ -48,6 +48,7 @@ public final class JointSolver {
     private final NeutralRows rows;
     private final HeldPlaces places;
     private final PlaceRecovery recovery;
+    private final JointedOverlap overlap;
     private final PackedJoints packed;
     private final Poses poses;
     private final JointRows jointRows;
@@ -134,6 +135,7 @@ public final class JointSolver {
                         poses,
                         elimination,
                         accuracy.impactTolerance());
+        overlap = new JointedOverlap(data.bodies, motions, contacts, rows, elimination, accuracy);
         inertia = new TautInertia(data, motions, packed, poses);
         results = new JointResults(data, packed, rows);
         budget = new JointBudget(data, rows, elimination, accuracy);
@@ -384,10 +386,10 @@ public final class JointSolver {
             places.hold(h, settled, contactRows.carry(), budget.isSmall());
         }
         boolean isGained = allowed.isExceeded(places.areHeld(), noise);
-        if (isGained && !contactRows.areAny()) {
+        if (isGained && !contactRows.carry()) {
             places.release();
         }
-        secure(isSolved && !isGained, settled);
+        secure(isSolved, isGained, settled);
         finish();
     }
 
@@ -395,9 +397,11 @@ public final class JointSolver {
      * What could not be solved, or would do work, is solved by passes from nothing on, which never
      * do, and then held by the joints.
      */
-    private void secure(boolean isSolved, double settled) {
-        boolean mayDoWork = contactRows.areAny() || elimination.isSpent();
-        if (mayDoWork && !(isSolved && allowed.isNone(budget.isSmall()))) {
+    private void secure(boolean isSolved, boolean isGained, double settled) {
+        boolean areAny = isSolved ? contactRows.carry() : contactRows.areAny();
+        boolean mayDoWork = areAny || elimination.isSpent() || allowed.isAnyDriven();
+        boolean isNone = isSolved && !isGained && allowed.isNone(budget.isSmall());
+        if (mayDoWork && !isNone) {
             work.takeBack();
             work.rest();
             passes.run(budget.mostPasses(), settled);
@@ -433,7 +437,7 @@ public final class JointSolver {
         work.begin();
         solver.beginAsBefore(packed, share);
         boolean isSolved = solver.solve(settled);
-        secure(isSolved && !allowed.isExceeded(false, noise), settled);
+        secure(isSolved, allowed.isExceeded(false, noise), settled);
         finish();
     }
 
@@ -442,15 +446,26 @@ public final class JointSolver {
         results.add();
     }
 
-    /** Whether overlap is taken back with what joints are off their places. */
+    /** Whether overlap is removed here: not where only axes are locked, and bodies are few. */
     public boolean takesOverlapBack() {
-        return !budget.isWhole();
+        return packed.count > 0 || !budget.isWhole();
     }
 
-    /** Takes back what joints are off their places, by moving bodies, in a substep of h seconds. */
+    /** Removes overlap with joints held, after a drift of h seconds. */
+    public void takeOverlapBack(double h) {
+        if (budget.isWhole()) {
+            overlap.correct(h);
+        } else {
+            crowd.correctOverlap(h);
+        }
+    }
+
+    /**
+     * Takes back what joints are off their places, by moving bodies, in a substep of h seconds. In
+     * a crowd that is done before the kick.
+     */
     public void correct(double h) {
         if (!budget.isWhole()) {
-            crowd.correctOverlap(h);
             return;
         }
         if (needed.isWedged()) {

@@ -320,6 +320,12 @@ final class NeutralRows {
                 && twin[row] == NONE;
     }
 
+    /** Whether a row of a joint only brakes: a motor that is to stand, with bounds. */
+    boolean isBrake(int row) {
+        boolean isBound = lower[row] < upper[row] && !isEquation(row);
+        return joint[row] != NONE && !holdsPlace[row] && target[row] == 0 && isBound;
+    }
+
     /** Writes the bounds of rows that follow from other rows' impulses. */
     void bound() {
         for (int row = 0; row < count; row++) {

@@ -21,7 +21,7 @@ final class Responses {
      * Least answer that is reckoned with, as a share of what free bodies answer: where joints hold
      * all that an impulse pushes, it would grow beyond what limits and motors can answer.
      */
-    private static final double LEAST = 1e-3;
+    static final double LEAST = 1e-3;
 
     /**
      * How far bodies may be moved in a second, in widths of their own or of joints: a tenth of one

@@ -31,4 +31,17 @@ final class RowMemory {
         System.arraycopy(bodies, 0, motions.data, 0, motions.count * Motions.STRIDE);
         System.arraycopy(impulses, 0, rows.impulse, 0, rows.count);
     }
+
+    /**
+     * Gives bodies all impulses anew, from the velocities on that were stored without any. What
+     * remained of huge impulses on the way to these is gone: rows do not see it where no row holds.
+     */
+    void redo() {
+        System.arraycopy(bodies, 0, motions.data, 0, motions.count * Motions.STRIDE);
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.impulse[row] != 0) {
+                rows.apply(row, rows.impulse[row]);
+            }
+        }
+    }
 }

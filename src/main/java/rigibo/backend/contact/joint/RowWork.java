@@ -11,6 +11,9 @@ import java.util.Arrays;
  */
 final class RowWork {
 
+    /** Round-off of energies, as a share of them. */
+    private static final double ROUND_OFF = 1e-6;
+
     private final NeutralRows rows;
 
     /** By row: its speed without impulses, m/s. */
@@ -18,6 +21,9 @@ final class RowWork {
 
     /** Velocities of all bodies without impulses, laid out as the motions. */
     private double[] free = new double[64];
+
+    /** Energy of all bodies without impulses, J. */
+    private double freeEnergy;
 
     private final Motions motions;
 
@@ -46,6 +52,7 @@ final class RowWork {
             free = new double[motions.data.length];
         }
         System.arraycopy(motions.data, 0, free, 0, length);
+        freeEnergy = motions.energy(motions.data);
     }
 
     private void applyAll(double share) {
@@ -79,6 +86,28 @@ final class RowWork {
             }
         }
         return sum;
+    }
+
+    /** Work done since by brakes, J, which only take energy where they are solved. */
+    double sumOfBrakes() {
+        double sum = 0;
+        for (int row = 0; row < rows.count; row++) {
+            sum += rows.impulse[row] != 0 && rows.isBrake(row) ? of(row) : 0;
+        }
+        return sum;
+    }
+
+    /**
+     * Whether bodies gained the energy that the impulses of all rows gave them. Huge impulses on
+     * the way to these can leave something of them in velocities along which no row holds.
+     */
+    boolean isAllOfRows() {
+        double sum = 0;
+        for (int row = 0; row < rows.count; row++) {
+            sum += rows.impulse[row] == 0 ? 0 : of(row);
+        }
+        double energy = motions.energy(motions.data);
+        return Math.abs(energy - freeEnergy - sum) <= ROUND_OFF * (energy + freeEnergy);
     }
 
     private double of(int row) {
