@@ -95,6 +95,10 @@ final class JointCases {
                 "a bridge stands under its load, and a cantilever at its wall",
                 HangingChains::bridges);
         list.add(
+                "J15/contraptions",
+                "trees of any joints and shapes that fall on each other keep apart",
+                Contraptions::run);
+        list.add(
                         "J12/taut",
                         "a bridge as long as its span stays closed under what falls on it",
                         TautBridges::fallOnAll)
