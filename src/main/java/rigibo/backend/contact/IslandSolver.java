@@ -323,7 +323,9 @@ final class IslandSolver {
         }
         repose.haltHeld(kicked);
         contacts.addUpImpulses(1);
-        motions.drift(h);
+        if (passes.drift(h, substep, unanswered(), limit, left)) {
+            rounds.forget();
+        }
         rounds.takeOverlapBack(h, substep);
         return false;
     }

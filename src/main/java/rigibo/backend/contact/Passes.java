@@ -188,8 +188,7 @@ public final class Passes {
     }
 
     /**
-     * Makes one substep. A struck body may turn so fast that it stands on another corner when the
-     * substep ends; its contacts are then measured again within the substep.
+     * Makes one substep.
      *
      * @param h length of the substep, s
      * @param length length of its kick, s
@@ -200,18 +199,31 @@ public final class Passes {
      */
     void advance(double h, double length, int substep, double fastest, double limit, double left) {
         hold(h, length, substep, fastest, limit);
+        drift(h, substep, fastest, limit, left);
+        if (isCorrecting) {
+            overlap.correctAndHoldGround(h, substep, PASSES_OVER_OVERLAP);
+        }
+    }
+
+    /**
+     * Lets bodies drift for h seconds. A struck body may turn so fast that it stands on another
+     * corner in the end; its contacts are then measured again on the way.
+     *
+     * @return whether any contact was measured
+     */
+    boolean drift(double h, int substep, double fastest, double limit, double left) {
         int parts = declared.partsFor(h);
         double part = h / parts;
+        boolean isAny = false;
         motions.drift(part);
         for (int i = 1; i < parts; i++) {
             if (declared.measureTurned(part, left - i * part)) {
                 stopTurned(part, substep, fastest, limit);
+                isAny = true;
             }
             motions.drift(part);
         }
-        if (isCorrecting) {
-            overlap.correctAndHoldGround(h, substep, PASSES_OVER_OVERLAP);
-        }
+        return isAny;
     }
 
     /**
