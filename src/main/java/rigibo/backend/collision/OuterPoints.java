@@ -3,6 +3,7 @@ package rigibo.backend.collision;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
+import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 import java.util.Arrays;
@@ -98,7 +99,7 @@ final class OuterPoints {
 
     /**
      * Lends again after both pairs were measured within the step: the borrower gets the two points
-     * that lie farthest apart. It had so many points of its own before.
+     * that lie farthest apart, of those that are deep. It had so many points of its own before.
      */
     void lendAgain(int borrower, int ownBefore) {
         int lender = lenderOf[borrower];
@@ -111,7 +112,7 @@ final class OuterPoints {
             pairs.faceOf[borrower] = pairs.faceOf[lender];
         }
         while (pairs.points[borrower] + pairs.points[lender] > 2) {
-            removeInner(borrower, lender);
+            removeOne(borrower, lender);
         }
         takeAll(borrower, lender, ownBefore);
     }
@@ -127,28 +128,50 @@ final class OuterPoints {
         }
     }
 
-    /** Removes one of three or four points that is neither the first nor the last on the line. */
-    private void removeInner(int borrower, int lender) {
-        double low = Double.POSITIVE_INFINITY;
-        double high = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < 4; i++) {
-            if (isThere(borrower, lender, i)) {
-                double along = along(borrower, pointOf(borrower, lender, i));
-                low = Math.min(low, along);
-                high = Math.max(high, along);
-            }
-        }
-        int innermost = 0;
+    /**
+     * Removes one of three or four points: that farthest from the first and the last on the line,
+     * or if it lies deeper than the line through these two, the less deep of them. A foot may lie
+     * on the ground with the lower of its corners, and have another one farther out above it.
+     */
+    private void removeOne(int borrower, int lender) {
+        int first = outermost(borrower, lender, -1);
+        int last = outermost(borrower, lender, 1);
+        double low = along(borrower, first);
+        double high = along(borrower, last);
+        int inner = first;
         double most = -1;
         for (int i = 0; i < 4; i++) {
             if (isThere(borrower, lender, i)) {
-                double along = along(borrower, pointOf(borrower, lender, i));
+                int point = pointOf(borrower, lender, i);
+                double along = along(borrower, point);
                 double room = Math.min(along - low, high - along);
-                innermost = room > most ? i : innermost;
+                inner = room > most ? point : inner;
                 most = Math.max(most, room);
             }
         }
-        pairs.removePoint(innermost < 2 ? borrower : lender, innermost % 2);
+        double share = (along(borrower, inner) - low) / (high - low);
+        double[] gap = pairs.separation;
+        double between = gap[first] + share * (gap[last] - gap[first]);
+        double width = PairTolerances.width(bodies, pairs.bodyA[borrower], pairs.bodyB[borrower]);
+        boolean isDeeper = between - gap[inner] > SeamPoint.FLUSH * width;
+        int outer = gap[first] > gap[last] ? first : last;
+        int removed = isDeeper ? outer : inner;
+        pairs.removePoint(removed / 2, removed % 2);
+    }
+
+    /** The last of the points in a direction of the line, 1 or −1. */
+    private int outermost(int borrower, int lender, int sign) {
+        int outermost = Pairs.NONE;
+        double farthest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < 4; i++) {
+            if (isThere(borrower, lender, i)) {
+                int point = pointOf(borrower, lender, i);
+                double along = sign * along(borrower, point);
+                outermost = along > farthest ? point : outermost;
+                farthest = Math.max(farthest, along);
+            }
+        }
+        return outermost;
     }
 
     private boolean isThere(int borrower, int lender, int i) {
