@@ -14,7 +14,10 @@ Promise.all([
     window.rigiboFiles = files;
     program.exports.main([]);
 }).catch(problem => {
-    show('This browser lacks WebAssembly with garbage collection or WebGL 2, which RigiBo needs.');
+    // Browsers fetch nothing beside a page that was opened as a file.
+    show(location.protocol === 'file:'
+        ? 'RigiBo plays where a web server serves it: ./rigibo web --serve starts one.'
+        : 'This browser lacks WebAssembly with garbage collection or WebGL 2, which RigiBo needs.');
     console.warn(problem);
 });
 

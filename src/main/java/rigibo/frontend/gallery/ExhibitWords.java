@@ -10,26 +10,29 @@ import java.util.ResourceBundle;
  * The titles and sentences of exhibits and sections, from files beside the exhibits; an exhibit
  * without them is called by its class.
  */
-final class ExhibitWords {
+public final class ExhibitWords {
 
     private static final String BUNDLE = "rigibo.gallery";
 
     private final Words words;
 
-    ExhibitWords(Words words) {
+    /** Of a language. */
+    public ExhibitWords(Words words) {
         this.words = words;
     }
 
-    String title(Found found) {
+    /** Its name. */
+    public String title(Found found) {
         return find(found.name(), found.type().getSimpleName());
     }
 
     /** A sentence about what there is to see; empty if there is none. */
-    String about(Found found) {
+    public String about(Found found) {
         return find(found.name() + ".words", "");
     }
 
-    String section(String section) {
+    /** Name of a section. */
+    public String section(String section) {
         return find("section." + section, section);
     }
 

@@ -7,11 +7,12 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** Every registered exhibit, in the order of registration. */
-final class Exhibits {
+public final class Exhibits {
 
     private Exhibits() {}
 
-    static List<Found> all() {
+    /** All exhibits. */
+    public static List<Found> all() {
         return Registered.all();
     }
 
@@ -20,7 +21,7 @@ final class Exhibits {
     }
 
     /** The exhibits by section, with the sections in the order of their first exhibits. */
-    static Map<String, List<Found>> bySection() {
+    public static Map<String, List<Found>> bySection() {
         return all().stream()
                 .collect(
                         Collectors.groupingBy(

@@ -8,23 +8,23 @@ import java.util.function.Supplier;
  * @param type its class
  * @param make makes an instance
  */
-record Found(Class<? extends Exhibit> type, Supplier<? extends Exhibit> make) {
+public record Found(Class<? extends Exhibit> type, Supplier<? extends Exhibit> make) {
 
     private static final String SOURCES = "src/examples/java/";
 
     /** Name of its class in the form of the command line, such as {@code card-house}. */
-    String name() {
+    public String name() {
         return Exhibit.name(type);
     }
 
     /** The last word of its package: exhibits of one package are shown together. */
-    String section() {
+    public String section() {
         String whole = type.getPackageName();
         return whole.substring(whole.lastIndexOf('.') + 1);
     }
 
-    /** The source file. */
-    String source() {
+    /** Its source file, as a path in the checkout. */
+    public String source() {
         return SOURCES + type.getName().replace('.', '/') + ".java";
     }
 }

@@ -9,7 +9,7 @@ import rigibo.backend.setup.Material;
 import rigibo.frontend.scene.Skin;
 
 /** Derives the skin of an exhibit's body from its material, since exhibits know no skins. */
-final class Looks {
+public final class Looks {
 
     /**
      * Elasticity from which on a body is rubber, friction below which it is ice, density from which
@@ -25,7 +25,8 @@ final class Looks {
 
     private Looks() {}
 
-    static Skin of(RigidBody body) {
+    /** The skin of a body. */
+    public static Skin of(RigidBody body) {
         Material material = body.material();
         if (body.type() == BodyType.KINEMATIC || material.density() >= IRON_DENSITY) {
             return Skin.IRON;

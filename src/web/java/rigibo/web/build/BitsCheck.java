@@ -13,15 +13,22 @@ import java.util.stream.Collectors;
 /** Compares what programs come to in a browser with what they come to on the JVM. */
 final class BitsCheck {
 
-    private BitsCheck() {}
+    private final List<String> here;
 
-    /** Says how many are alike, and the first that is not; returns whether all are. */
-    static boolean compare(Browser browser, Path folder, Path runs)
-            throws IOException, InterruptedException {
-        List<String> here = lines(onJvm(runs));
+    private BitsCheck(List<String> here) {
+        this.here = here;
+    }
+
+    /** Runs the programs on the JVM, and recorded runs of a folder. */
+    static BitsCheck of(Path runs) throws IOException {
+        return new BitsCheck(lines(onJvm(runs)));
+    }
+
+    /** Says how many are alike in a browser, and the first that is not; returns whether all are. */
+    boolean compare(PageReader browser, Path folder) throws IOException, InterruptedException {
         List<String> there;
         try (LocalServer server = new LocalServer(folder, 0)) {
-            there = lines(browser.shown(server.address("bits.html")));
+            there = lines(browser.read(server, "bits.html"));
         }
         long alike = here.stream().filter(there::contains).count();
         System.out.printf(

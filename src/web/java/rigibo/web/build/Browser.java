@@ -1,17 +1,18 @@
 package rigibo.web.build;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
-/** A browser on this machine, started without a window and with a profile of its own. */
-final class Browser {
+/**
+ * Chromium, or a browser of its kind, on this machine, started without a window and with a profile
+ * of its own.
+ */
+final class Browser implements PageReader {
 
     private static final List<String> NAMES =
             List.of("chromium", "chromium-browser", "google-chrome");
@@ -26,16 +27,11 @@ final class Browser {
 
     /** The first that is on the path, if there is any. */
     static Optional<Browser> find() {
-        String[] places = System.getenv("PATH").split(File.pathSeparator);
-        return NAMES.stream()
-                .flatMap(name -> Arrays.stream(places).map(place -> Path.of(place, name)))
-                .filter(Files::isExecutable)
-                .findFirst()
-                .map(Browser::new);
+        return OnPath.first(NAMES).map(Browser::new);
     }
 
-    /** The text of a page once its scripts are through. */
-    String shown(String address) throws IOException, InterruptedException {
+    @Override
+    public String read(LocalServer server, String name) throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("rigibo-browser");
         Path page = folder.resolve("page.html");
         Process process =
@@ -50,7 +46,7 @@ final class Browser {
                                 "--user-data-dir=" + folder.resolve("profile"),
                                 "--virtual-time-budget=60000",
                                 "--dump-dom",
-                                address)
+                                server.address(name))
                         .redirectOutput(page.toFile())
                         .redirectError(folder.resolve("complaints").toFile())
                         .start();

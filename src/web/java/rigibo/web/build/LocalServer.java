@@ -6,9 +6,12 @@ import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Future;
 
 /** Serves a folder to browsers on this machine, and to no other machine. */
 final class LocalServer implements AutoCloseable {
@@ -26,9 +29,14 @@ final class LocalServer implements AutoCloseable {
 
     private static final int NOT_FOUND = 404;
     private static final int FOUND = 200;
+    private static final int NO_CONTENT = 204;
+
+    /** Where a page posts what it has to say. */
+    private static final String SAID = "/said";
 
     private final Path folder;
     private final HttpServer server;
+    private final CompletableFuture<String> said = new CompletableFuture<>();
 
     /** Serves at a port, or at any that is free where it is 0. */
     LocalServer(Path folder, int port) throws IOException {
@@ -36,12 +44,26 @@ final class LocalServer implements AutoCloseable {
         server =
                 HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0);
         server.createContext("/", this::answer);
+        server.createContext(SAID, this::listen);
         server.start();
     }
 
     /** Where a page of the folder is found. */
     String address(String page) {
         return "http://localhost:" + server.getAddress().getPort() + "/" + page;
+    }
+
+    /** What a page posts first, once it does. */
+    Future<String> said() {
+        return said;
+    }
+
+    private void listen(HttpExchange asked) throws IOException {
+        try (asked) {
+            byte[] bytes = asked.getRequestBody().readAllBytes();
+            asked.sendResponseHeaders(NO_CONTENT, -1);
+            said.complete(new String(bytes, StandardCharsets.UTF_8));
+        }
     }
 
     private void answer(HttpExchange asked) throws IOException {

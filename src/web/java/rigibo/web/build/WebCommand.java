@@ -4,9 +4,9 @@ import org.teavm.tooling.TeaVMToolException;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 
 /** {@code ./rigibo web}: builds the page; serves it, or compares its bits with the JVM's. */
 final class WebCommand {
@@ -34,13 +34,24 @@ final class WebCommand {
 
     private static boolean compare(Path folder)
             throws IOException, InterruptedException, TeaVMToolException {
-        Optional<Browser> browser = Browser.find();
-        if (browser.isEmpty()) {
-            System.out.println("There is no Chromium here: nothing is compared.");
+        List<PageReader> browsers = new ArrayList<>();
+        Browser.find().ifPresentOrElse(browsers::add, () -> tellMissing("Chromium"));
+        Firefox.find().ifPresentOrElse(browsers::add, () -> tellMissing("Firefox"));
+        if (browsers.isEmpty()) {
+            System.out.println("There is no Chromium and no Firefox here: nothing is compared.");
             return true;
         }
         Path runs = Recorded.runs();
         new PageBuild(folder).buildBits(runs);
-        return BitsCheck.compare(browser.get(), folder, runs);
+        BitsCheck check = BitsCheck.of(runs);
+        boolean areAlike = true;
+        for (PageReader browser : browsers) {
+            areAlike &= check.compare(browser, folder);
+        }
+        return areAlike;
+    }
+
+    private static void tellMissing(String browser) {
+        System.out.println(browser + " is not here: nothing is compared there.");
     }
 }
