@@ -5,6 +5,9 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Grid;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
 import java.util.ArrayList;
@@ -30,9 +33,30 @@ final class KeyStrip {
     private double pointerY = -1;
 
     /** A button on the screen, px. */
-    private record Place(Command command, double left, double right) {
+    private record Place(Command command, Plate plate) {
         boolean contains(double x, double y) {
-            return x >= left && x <= right && y >= TOP;
+            return plate.contains(x, y);
+        }
+    }
+
+    /** Draws commands as large buttons, without their keys. */
+    void drawInHand(
+            Canvas canvas, Words words, List<Command> commands, List<Command> lit, Grid grid) {
+        places.clear();
+        for (Command command : commands) {
+            Place place = new Place(command, grid.place(places.size()));
+            places.add(place);
+            Plate at = place.plate;
+            Color ink = drawPlate(canvas, place, lit.contains(command), 12);
+            String label =
+                    Lines.shortened(
+                            canvas,
+                            command.shortWords(words),
+                            SIZE,
+                            Canvas.Font.WORDS,
+                            at.width() - PADDING);
+            double middle = at.y() + at.height() / 2;
+            Print.centred(canvas, label, at.x() + at.width() / 2, middle, SIZE, ink);
         }
     }
 
@@ -51,7 +75,7 @@ final class KeyStrip {
         for (int i = 0; i < commands.size(); i++) {
             Command command = commands.get(i);
             double width = width(canvas, words, command, i < bare);
-            Place place = new Place(command, left, left + width);
+            Place place = new Place(command, new Plate(left, TOP, width, HEIGHT));
             places.add(place);
             draw(canvas, words, place, lit.contains(command), i < bare);
             left += width + gap;
@@ -74,18 +98,24 @@ final class KeyStrip {
     }
 
     private void draw(Canvas canvas, Words words, Place place, boolean isLit, boolean isBare) {
-        boolean isHot = place.contains(pointerX, pointerY);
-        Color plate = isLit ? Color.BRASS : isHot ? Color.EDGE : Color.PANEL_LIT;
-        canvas.panel(place.left, TOP, place.right - place.left, HEIGHT, 8, plate);
-        Color ink = isLit ? Color.DUSK_TOP : Color.TEXT;
+        Color ink = drawPlate(canvas, place, isLit, 8);
         String key = place.command.keyWords(words);
-        double x = place.left + PADDING;
-        Color keyInk = isLit || isHot ? ink : Color.BRASS;
+        double x = place.plate.x() + PADDING;
+        Color keyInk = isLit || place.contains(pointerX, pointerY) ? ink : Color.BRASS;
         Print.left(canvas, key, x, TOP + HEIGHT / 2, SIZE, keyInk);
         if (!isBare) {
             x += canvas.textWidth(key, SIZE, Canvas.Font.WORDS) + BETWEEN;
             Print.left(canvas, place.command.words(words), x, TOP + HEIGHT / 2, SIZE, ink);
         }
+    }
+
+    /** Draws what is below the words of a button; returns the colour that they have on it. */
+    private Color drawPlate(Canvas canvas, Place place, boolean isLit, double corner) {
+        boolean isHot = place.contains(pointerX, pointerY);
+        Plate at = place.plate;
+        Color plate = isLit ? Color.BRASS : isHot ? Color.EDGE : Color.PANEL_LIT;
+        canvas.panel(at.x(), at.y(), at.width(), at.height(), corner, plate);
+        return isLit ? Color.DUSK_TOP : Color.TEXT;
     }
 
     void pointerMoved(double x, double y) {
