@@ -79,20 +79,25 @@ record LevelsPlaces(
                 new Plate(Scene.WIDTH - EDGE - WATCH, Scene.HEIGHT - 60, WATCH, FOOT));
     }
 
-    static LevelsPlaces of(Layout layout) {
+    /**
+     * Where they are in a window.
+     *
+     * @param hasMade whether any levels are made by chance; in a hand their row is left out if not
+     */
+    static LevelsPlaces of(Layout layout, boolean hasMade) {
         if (!layout.isInHand()) {
             return ON_A_DESK;
         }
-        return layout.isUpright() ? upright(layout) : lying(layout);
+        return layout.isUpright() ? upright(layout, hasMade) : lying(layout, hasMade);
     }
 
-    private static LevelsPlaces upright(Layout layout) {
+    private static LevelsPlaces upright(Layout layout, boolean hasMade) {
         double finger = layout.clickable(0);
         double left = layout.seenLeft() + GAP;
         double width = layout.seenRight() - GAP - left;
         Plate first = new Plate(left, layout.seenTop() + GAP, width, finger);
         Plate made = new Plate(left, first.bottom() + GAP, width, finger);
-        Plate tabs = new Plate(left, made.bottom() + GAP, width, finger);
+        Plate tabs = new Plate(left, (hasMade ? made : first).bottom() + GAP, width, finger);
         double footHeight = Math.max(layout.lettered(FOOT), finger);
         Plate foot = new Plate(left, layout.seenBottom() - GAP - footHeight, width, footHeight);
         double room = foot.y() - tabs.bottom() - GAP;
@@ -116,14 +121,14 @@ record LevelsPlaces(
                         footHeight));
     }
 
-    private static LevelsPlaces lying(Layout layout) {
+    private static LevelsPlaces lying(Layout layout, boolean hasMade) {
         double finger = layout.clickable(0);
         double left = layout.seenLeft() + GAP;
         double seen = layout.seenRight() - layout.seenLeft();
         double aside = ASIDE * seen;
         Plate first = new Plate(left, layout.seenTop() + GAP, aside, finger);
         Plate made = new Plate(left, first.bottom() + GAP, aside, finger);
-        Plate tabs = new Plate(left, made.bottom() + GAP, aside, finger);
+        Plate tabs = new Plate(left, (hasMade ? made : first).bottom() + GAP, aside, finger);
         double bottom = layout.seenBottom() - GAP;
         double below = tabs.bottom() + GAP + finger + GAP;
         Plate watch = new Plate(left, bottom - finger, aside, finger);

@@ -222,7 +222,7 @@ public final class LevelsScene implements Scene {
     }
 
     private void fit(Layout layout) {
-        LevelsPlaces fitting = LevelsPlaces.of(layout);
+        LevelsPlaces fitting = LevelsPlaces.of(layout, !made.isEmpty());
         if (!fitting.equals(places)) {
             places = fitting;
             layOut(tiles.chosen());

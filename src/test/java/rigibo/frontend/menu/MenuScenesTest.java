@@ -161,7 +161,7 @@ class MenuScenesTest {
         for (Layout layout : Legibility.HANDS) {
             double least = 44 / layout.ratio() - ROUND_OFF;
             MenuPlaces menu = MenuPlaces.of(layout);
-            LevelsPlaces levels = LevelsPlaces.of(layout);
+            LevelsPlaces levels = LevelsPlaces.of(layout, true);
             assertThat(
                             Stream.of(
                                     menu.play(),
