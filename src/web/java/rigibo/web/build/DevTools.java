@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -126,10 +127,19 @@ final class DevTools implements AutoCloseable {
         return value.group(2) == null ? value.group(1) : value.group(2);
     }
 
-    /** A finger comes down at a point of the page, px, and is lifted there. */
-    void tap(double x, double y) throws IOException, InterruptedException {
-        touch("touchStart", String.format("{\"x\":%.2f,\"y\":%.2f}", x, y));
+    /** A finger comes down at a point of the page, px. */
+    void down(double x, double y) throws IOException, InterruptedException {
+        touch("touchStart", point(x, y));
+    }
+
+    /** The finger slides to a point of the page, px, and is lifted there. */
+    void lift(double x, double y) throws IOException, InterruptedException {
+        touch("touchMove", point(x, y));
         touch("touchEnd", "");
+    }
+
+    private static String point(double x, double y) {
+        return String.format(Locale.ROOT, "{\"x\":%.2f,\"y\":%.2f}", x, y);
     }
 
     private void touch(String kind, String point) throws IOException, InterruptedException {

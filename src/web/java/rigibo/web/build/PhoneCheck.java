@@ -49,6 +49,7 @@ final class PhoneCheck {
     private final DevTools page;
     private final String address;
     private final Path pictures;
+    private Camera camera = Camera.ofPuzzle();
 
     private PhoneCheck(DevTools page, String address, Path pictures) {
         this.page = page;
@@ -107,24 +108,44 @@ final class PhoneCheck {
         Playback here = new Playback(level, run.replay());
         // The picture that begins makes the first step.
         here.step();
-        Camera camera = new View(level).camera();
-        picture(level, "start");
+        camera = new View(level).camera();
+        boolean isDown = false;
         while (here.game().outcome() == Outcome.RUNNING && here.game().steps() < MOST_STEPS) {
             if (here.upcoming().filter(act -> act.step() <= here.game().steps()).isPresent()) {
-                Target target = here.game().target(here.upcoming().get().target()).orElseThrow();
-                page.tap(
-                        LAYOUT.windowX(camera.screenX(target.x())),
-                        LAYOUT.windowY(camera.screenY(target.y())));
+                if (!isDown) {
+                    page.down(x(here), y(here));
+                }
+                page.lift(x(here), y(here));
+                isDown = false;
+            } else if (untilNext(here) < AT_ONCE) {
+                page.down(x(here), y(here));
+                isDown = true;
             }
             int steps = untilNext(here);
             here.stepTo(here.game().steps() + steps);
             page.value("window.go(" + steps + ")");
+            if (isDown && here.game().clicks() == 0) {
+                picture(level, "choosing");
+            }
         }
         for (int steps = 0; steps < APPLAUSE; steps += AT_ONCE) {
             page.value("window.go(" + AT_ONCE + ")");
         }
         picture(level, "end");
         return isKept(level);
+    }
+
+    /** Where on the page the next target is now, px. */
+    private double x(Playback here) {
+        return LAYOUT.windowX(camera.screenX(next(here).x()));
+    }
+
+    private double y(Playback here) {
+        return LAYOUT.windowY(camera.screenY(next(here).y()));
+    }
+
+    private static Target next(Playback here) {
+        return here.game().target(here.upcoming().orElseThrow().target()).orElseThrow();
     }
 
     private static int untilNext(Playback here) {
@@ -138,7 +159,8 @@ final class PhoneCheck {
 
     /** The page keeps what the player does within some seconds, by the real clock. */
     private boolean isKept(Level level) throws IOException, InterruptedException {
-        String kept = "Object.values(localStorage).join().includes('" + level.id() + "') ? 1 : 0";
+        String kept =
+                "Object.keys(localStorage).join().includes('" + level.id() + ".best') ? 1 : 0";
         for (int tries = 0; tries < 50; tries++) {
             if (page.value(kept).equals("1")) {
                 return true;

@@ -46,7 +46,7 @@ final class EndPanel {
     private static final double STATEMENT = 34;
 
     /** Room that two lines of larger text need in a hand, px. */
-    private static final double MORE = 84;
+    private static final double MORE = 70;
 
     /** Between two lines, px. */
     private static final double LINE = 22;
