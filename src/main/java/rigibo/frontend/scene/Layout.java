@@ -110,11 +110,11 @@ public record Layout(
 
     /**
      * Returns a layout with room for plates beside the scene: moves the scene to the right edge
-     * where there is room for one column, and none for two.
+     * where there is room for one column, and none for two. In a hand it stays in the middle.
      */
     public Layout withColumns() {
         double beside = width - Scene.WIDTH;
-        boolean isForOne = beside >= margin() && beside < 2 * margin();
+        boolean isForOne = !isInHand() && beside >= margin() && beside < 2 * margin();
         return isForOne ? new Layout(-beside, top, width, height, ratio, type, touch) : this;
     }
 

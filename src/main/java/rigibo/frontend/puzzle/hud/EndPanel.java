@@ -3,7 +3,6 @@ package rigibo.frontend.puzzle.hud;
 import rigibo.frontend.puzzle.rules.Loss;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
-import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Layout;
@@ -75,7 +74,7 @@ final class EndPanel {
                         ? Optional.of(new MedalStamps(Medal.of(game.clicks(), par), par))
                         : Optional.empty();
         ways = ways(hasNext, exit);
-        place(layout, 0, Scene.HEIGHT);
+        place(layout, 0, Scene.HEIGHT, Scene.HEIGHT);
     }
 
     /** Distance from the panel's upper edge to its buttons, px. */
@@ -97,14 +96,15 @@ final class EndPanel {
      *
      * @param shown what the window shows
      * @param foot where the play begins, px
+     * @param floor where the keys begin, px
      * @param highestBall on the screen, px
      */
-    void place(Layout shown, double foot, double highestBall) {
+    void place(Layout shown, double foot, double floor, double highestBall) {
         layout = shown;
         Grid grid = grid();
         height = buttonsBelow() + grid.height(ways.size()) + PADDING;
         boolean isInTheWay = highestBall < foot + height + 2 * GAP;
-        top = isInTheWay ? View.KEYS_TOP - GAP - height : foot + GAP;
+        top = isInTheWay ? floor - GAP - height : foot + GAP;
         buttons = new ButtonRow(grid(), ways);
     }
 

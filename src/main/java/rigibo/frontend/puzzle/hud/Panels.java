@@ -25,6 +25,9 @@ import java.util.Set;
  */
 public final class Panels {
 
+    /** Commands that a window in a hand has at most. */
+    private static final int MOST_IN_HAND = 8;
+
     private final Session session;
     private final View view;
     private final Words words;
@@ -115,7 +118,12 @@ public final class Panels {
                         .filter(y -> y > foot())
                         .min()
                         .orElse(Scene.HEIGHT);
-        panel.place(layout, foot(), highest);
+        if (layout.isInHand() && layout.isUpright()) {
+            HandPlaces places = HandPlaces.of(layout, MOST_IN_HAND);
+            panel.place(layout, places.bar().bottom(), places.keys().first().y(), highest);
+        } else {
+            panel.place(layout, foot(), View.KEYS_TOP, highest);
+        }
     }
 
     public void shut() {
