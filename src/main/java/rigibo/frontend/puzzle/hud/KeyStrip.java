@@ -29,20 +29,25 @@ final class KeyStrip {
     /** Positions of the buttons in the last frame; their widths depend on their words. */
     private final List<Place> places = new ArrayList<>();
 
+    /** Lower edge of the last row, px. */
+    private double foot = TOP + HEIGHT;
+
     private double pointerX = -1;
     private double pointerY = -1;
 
     /** A button on the screen, px. */
-    private record Place(Command command, Plate plate) {
-        boolean contains(double x, double y) {
-            return plate.contains(x, y);
-        }
+    private record Place(Command command, Plate plate) {}
+
+    /** Whether a point is on a button; what is below the last row is on that, to be hit blindly. */
+    private boolean isOn(Place place, double x, double y) {
+        return place.plate.contains(x, Math.min(y, foot));
     }
 
     /** Draws commands as large buttons, without their keys. */
     void drawInHand(
             Canvas canvas, Words words, List<Command> commands, List<Command> lit, Grid grid) {
         places.clear();
+        foot = grid.place(commands.size() - 1).bottom();
         for (Command command : commands) {
             Place place = new Place(command, grid.place(places.size()));
             places.add(place);
@@ -72,6 +77,7 @@ final class KeyStrip {
         double gap = gap(canvas, words, commands, bare);
         double left = gap;
         places.clear();
+        foot = TOP + HEIGHT;
         for (int i = 0; i < commands.size(); i++) {
             Command command = commands.get(i);
             double width = width(canvas, words, command, i < bare);
@@ -101,7 +107,7 @@ final class KeyStrip {
         Color ink = drawPlate(canvas, place, isLit, 8);
         String key = place.command.keyWords(words);
         double x = place.plate.x() + PADDING;
-        Color keyInk = isLit || place.contains(pointerX, pointerY) ? ink : Color.BRASS;
+        Color keyInk = isLit || isOn(place, pointerX, pointerY) ? ink : Color.BRASS;
         Print.left(canvas, key, x, TOP + HEIGHT / 2, SIZE, keyInk);
         if (!isBare) {
             x += canvas.textWidth(key, SIZE, Canvas.Font.WORDS) + BETWEEN;
@@ -111,7 +117,7 @@ final class KeyStrip {
 
     /** Draws what is below the words of a button; returns the colour that they have on it. */
     private Color drawPlate(Canvas canvas, Place place, boolean isLit, double corner) {
-        boolean isHot = place.contains(pointerX, pointerY);
+        boolean isHot = isOn(place, pointerX, pointerY);
         Plate at = place.plate;
         Color plate = isLit ? Color.BRASS : isHot ? Color.EDGE : Color.PANEL_LIT;
         canvas.panel(at.x(), at.y(), at.width(), at.height(), corner, plate);
@@ -130,9 +136,6 @@ final class KeyStrip {
 
     /** The button at a point. */
     Optional<Command> at(double x, double y) {
-        return places.stream()
-                .filter(place -> place.contains(x, y))
-                .map(Place::command)
-                .findFirst();
+        return places.stream().filter(place -> isOn(place, x, y)).map(Place::command).findFirst();
     }
 }

@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.hud;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -71,6 +72,21 @@ class InHandTest {
             assertThat(show.hasSucceeded()).isTrue();
             assertThat(Legibility.faults(level, layout)).isEmpty();
         }
+    }
+
+    /** A thumb, or a mouse in a full screen, hits the edge without looking. */
+    @Test
+    void theLowerEdgeOfTheWindowBelongsToTheButtonsAboveIt() {
+        press(Layout.ALONE, "Pause");
+        assertThat(RecordingCanvas.of(scene).texts()).contains("Resume");
+        press(Legibility.HANDS.get(0), "Menu");
+        assertThat(director.asked).containsExactly("menu");
+    }
+
+    /** Presses below a button, at the window's lower edge. */
+    private void press(Layout layout, String words) {
+        double[] at = RecordingCanvas.of(scene, layout).middleOf(words);
+        scene.pointerPressed(PointerButton.LEFT, at[0], layout.bottom());
     }
 
     /** The pillars of the first level are narrower than a finger. */
