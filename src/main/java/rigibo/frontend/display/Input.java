@@ -8,6 +8,8 @@ import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
+import rigibo.frontend.scene.widget.Plate;
 
 import java.util.EnumSet;
 import java.util.HashMap;
@@ -34,6 +36,7 @@ final class Input {
     private double y = -1;
     private Layout layout = Layout.ALONE;
     private double pixelsPerUnit = 1;
+    private Plate wayBack = Plate.NONE;
     private boolean isControlHeld;
 
     Input(
@@ -55,10 +58,12 @@ final class Input {
      * Takes what the window shows.
      *
      * @param perUnit pixels per unit of the window's coordinates, which need not be pixels
+     * @param back where a press means Esc
      */
-    void shows(Layout shown, double perUnit) {
+    void shows(Layout shown, double perUnit, Plate back) {
         layout = shown;
         pixelsPerUnit = perUnit;
+        wayBack = back;
     }
 
     void cursor(double windowX, double windowY) {
@@ -79,11 +84,23 @@ final class Input {
                     case GLFW_MOUSE_BUTTON_RIGHT -> PointerButton.RIGHT;
                     default -> PointerButton.MIDDLE;
                 };
-        if (action == GLFW_PRESS) {
+        if (action == GLFW_PRESS && wayBack.contains(x, y)) {
+            escape();
+        } else if (action == GLFW_PRESS) {
             scene.pointerPressed(which, x, y);
         } else {
             scene.pointerReleased(which, x, y);
         }
+    }
+
+    /** When a finger presses what is under the pointer. */
+    Tap tap() {
+        return wayBack.contains(x, y) ? Tap.LIFTED : scene.tap(x, y);
+    }
+
+    /** A finger begins or ends to choose what is under the pointer. */
+    void choosing(boolean isChoosing) {
+        scene.choosing(isChoosing);
     }
 
     void scroll(double notches) {

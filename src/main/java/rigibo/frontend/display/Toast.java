@@ -31,11 +31,12 @@ final class Toast {
         left--;
         double width = canvas.textWidth(words, SIZE, Canvas.Font.WORDS) + 2 * PADDING;
         double x = (Scene.WIDTH - width) / 2;
-        canvas.panel(x, TOP, width, HEIGHT, HEIGHT / 2, Color.PANEL_LIT);
+        double height = canvas.layout().lettered(HEIGHT);
+        canvas.panel(x, TOP, width, height, height / 2, Color.PANEL_LIT);
         canvas.text(
                 words,
                 Scene.WIDTH / 2.0,
-                TOP + HEIGHT / 2,
+                TOP + height / 2,
                 SIZE,
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,

@@ -14,9 +14,12 @@ import org.tinylog.Logger;
 import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.draw.Painter;
 import rigibo.frontend.scene.DisplayException;
+import rigibo.frontend.scene.Edges;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Pane;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.widget.Plate;
 
 import java.nio.ByteBuffer;
 import java.nio.file.InvalidPathException;
@@ -44,6 +47,7 @@ final class Window {
     private final int[] width = new int[1];
     private final int[] height = new int[1];
     private Layout layout;
+    private Plate wayBack = Plate.NONE;
     private boolean isFull;
 
     /** Darkness from which on a picture can be made out, 0 to 1. */
@@ -145,11 +149,10 @@ final class Window {
         glfwGetFramebufferSize(handle, width, height);
         float[] contentScale = new float[1];
         glfwGetWindowContentScale(handle, contentScale, new float[1]);
-        Layout lettered =
-                Layout.of(width[0], height[0], contentScale[0])
-                        .withText(text.get().share(), scene.mostType());
-        layout = scene.hasColumns() ? lettered.withColumns() : lettered;
-        input.shows(layout, width[0] / (double) units);
+        Pane pane = new Pane(width[0], height[0], contentScale[0], Edges.NONE);
+        layout = pane.layout(scene, text.get().share());
+        wayBack = WayBack.place(pane, layout, scene);
+        input.shows(layout, width[0] / (double) units, wayBack);
     }
 
     private void listenToDrops(Consumer<List<Path>> dropped) {
@@ -233,6 +236,7 @@ final class Window {
         layOut();
         painter.begin(layout, glfwGetTime(), choice.detail(chosen));
         scene.draw(painter);
+        WayBack.draw(painter, wayBack);
         toast.draw(painter);
         painter.end(dark);
         darkness = dark;

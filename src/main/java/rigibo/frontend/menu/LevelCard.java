@@ -26,12 +26,13 @@ record LevelCard(LevelList levels, int level, Words words) {
     static final double HEIGHT = 168;
 
     private static final double STRIP = 30;
-    private static final double PICTURE = HEIGHT - STRIP;
 
     /** Margin around the picture, px. */
     private static final double MARGIN = 10;
 
     void draw(Canvas canvas, Tile tile, boolean isChosen) {
+        double strip = canvas.layout().lettered(STRIP);
+        double picture = tile.height() - strip;
         SceneEntry entry = levels.levels().get(level);
         entry.challenge()
                 .orElseThrow()
@@ -40,27 +41,31 @@ record LevelCard(LevelList levels, int level, Words words) {
                         canvas,
                         tile.x() + MARGIN,
                         tile.y() + MARGIN,
-                        WIDTH - 2 * MARGIN,
-                        PICTURE - 2 * MARGIN);
+                        tile.width() - 2 * MARGIN,
+                        picture - 2 * MARGIN);
         boolean isOpen = levels.isOpen(level);
         if (!isOpen) {
-            drawLock(canvas, tile);
+            drawLock(canvas, tile, picture);
         }
-        double strip = tile.y() + PICTURE;
+        double foot = tile.y() + picture;
         Color plate = isChosen ? Color.PANEL_LIT : Color.PANEL;
-        canvas.panel(tile.x(), strip, WIDTH, STRIP, 10, plate);
+        canvas.panel(tile.x(), foot, tile.width(), strip, 10, plate);
         Color edge = isChosen ? Color.BRASS : Color.EDGE;
-        canvas.frame(tile.x(), tile.y(), WIDTH, HEIGHT, 10, edge);
+        canvas.frame(tile.x(), tile.y(), tile.width(), tile.height(), 10, edge);
         String title =
                 Lines.shortened(
-                        canvas, entry.title().apply(words), 16, Canvas.Font.WORDS, WIDTH - 16);
-        Print.centred(canvas, title, tile.middleX(), strip + STRIP / 2, 16, Color.TEXT);
+                        canvas,
+                        entry.title().apply(words),
+                        16,
+                        Canvas.Font.WORDS,
+                        tile.width() - 16);
+        Print.centred(canvas, title, tile.middleX(), foot + strip / 2, 16, Color.TEXT);
         drawNumber(canvas, tile);
         if (isOpen && levels.isSolved(level)) {
             drawPrize(canvas, tile);
         }
         if (isOpen && levels.hasStar(level)) {
-            double x = tile.x() + WIDTH - 54;
+            double x = tile.x() + tile.width() - 24 - canvas.layout().lettered(30);
             canvas.panel(x - 15, tile.y() + 6, 30, 24, 8, Color.PANEL);
             Sign.star(canvas, x, tile.y() + 19, 11, Color.BRASS);
         }
@@ -68,14 +73,18 @@ record LevelCard(LevelList levels, int level, Words words) {
 
     private void drawNumber(Canvas canvas, Tile tile) {
         String number = String.valueOf(levels.place(level) + 1);
-        canvas.panel(tile.x() + 6, tile.y() + 6, 30, 24, 8, Color.PANEL);
-        Print.centred(canvas, number, tile.x() + 21, tile.y() + 18, 16, Color.TEXT);
+        double width = canvas.layout().lettered(30);
+        double height = canvas.layout().lettered(24);
+        double left = tile.x() + 6;
+        double top = tile.y() + 6;
+        canvas.panel(left, top, width, height, 8, Color.PANEL);
+        Print.centred(canvas, number, left + width / 2, top + height / 2, 16, Color.TEXT);
     }
 
     /** Draws a veil over the picture with a padlock on it. */
-    private static void drawLock(Canvas canvas, Tile tile) {
-        canvas.panel(tile.x(), tile.y(), WIDTH, PICTURE, 10, Color.PANEL);
-        Padlock.draw(canvas, tile.middleX(), tile.y() + PICTURE / 2, 1);
+    private static void drawLock(Canvas canvas, Tile tile, double picture) {
+        canvas.panel(tile.x(), tile.y(), tile.width(), picture, 10, Color.PANEL);
+        Padlock.draw(canvas, tile.middleX(), tile.y() + picture / 2, 1);
     }
 
     /**
@@ -83,9 +92,11 @@ record LevelCard(LevelList levels, int level, Words words) {
      * level was solved.
      */
     private void drawPrize(Canvas canvas, Tile tile) {
-        double x = tile.x() + WIDTH - 21;
-        double y = tile.y() + 18;
-        canvas.panel(x - 15, y - 12, 30, 24, 8, Color.PANEL);
+        double width = canvas.layout().lettered(30);
+        double height = canvas.layout().lettered(24);
+        double x = tile.x() + tile.width() - 6 - width / 2;
+        double y = tile.y() + 6 + height / 2;
+        canvas.panel(x - width / 2, y - height / 2, width, height, 8, Color.PANEL);
         levels.medal(level)
                 .ifPresentOrElse(
                         medal -> drawMedal(canvas, x, y, medal),
@@ -94,7 +105,7 @@ record LevelCard(LevelList levels, int level, Words words) {
 
     /** Draws a medal with its rank about a point. */
     static void drawMedal(Canvas canvas, double x, double y, Medal medal) {
-        canvas.disc(x, y, 10, medal.color());
+        canvas.disc(x, y, canvas.layout().lettered(10), medal.color());
         String rank = String.valueOf(medal.ordinal() + 1);
         Print.centred(canvas, rank, x, y, 16, Color.DUSK_TOP);
     }

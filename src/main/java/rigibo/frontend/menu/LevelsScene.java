@@ -4,11 +4,15 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
@@ -25,46 +29,20 @@ import java.util.OptionalInt;
  */
 public final class LevelsScene implements Scene {
 
-    private static final int COLUMNS = 4;
-    private static final double EDGE = 20;
     private static final double GAP = 10;
-    private static final double TABS_TOP = 128;
-    private static final double TOP = TABS_TOP + WorldTab.HEIGHT + GAP;
-    private static final double PITCH_X = LevelCard.WIDTH + GAP;
-    private static final double PITCH_Y = LevelCard.HEIGHT + GAP;
-
-    /** Slot of the plate among those of cards, after the tenth. */
-    private static final int PLATE_SLOT = 10;
-
-    private static final double FOOT_TOP = HEIGHT - 60;
-    private static final double FOOT_HEIGHT = 52;
 
     /** Between the lines of the foot, px. */
     private static final double LINE = 23;
 
-    private static final double WATCH_WIDTH = 222;
-    private static final double BUTTON_TOP = 22;
-    private static final double BUTTON_WIDTH = 130;
-    private static final double BUTTON_HEIGHT = 42;
-
-    /** The row of the levels that are made by chance. */
-    private static final double MADE_TOP = 74;
-
-    /** Number of buttons above that row. */
+    /** Number of buttons above the row of the levels that are made by chance. */
     private static final int BUTTONS = 2;
 
     private final Director director;
     private final Words words;
     private final LevelList levels;
     private final List<SceneEntry> made;
-    private final Tile watch =
-            new Tile(
-                    WIDTH - EDGE - WATCH_WIDTH,
-                    FOOT_TOP,
-                    WATCH_WIDTH,
-                    FOOT_HEIGHT,
-                    this::drawWatch,
-                    this::watch);
+    private LevelsPlaces places = LevelsPlaces.ON_A_DESK;
+    private Tile watch;
 
     /** The world whose levels are shown, from 1. */
     private int world = 1;
@@ -106,48 +84,31 @@ public final class LevelsScene implements Scene {
     /** The tiles: the way back, codes, levels made by chance, the worlds, and a world's levels. */
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
-        laid.add(button(EDGE, this::drawBack, director::showMenu));
-        laid.add(button(EDGE + BUTTON_WIDTH + GAP, this::drawPaste, director::paste));
-        double width = (WIDTH - 2 * EDGE + GAP) / Math.max(1, made.size()) - GAP;
+        laid.add(button(0, this::drawBack, director::showMenu));
+        laid.add(button(1, this::drawPaste, director::paste));
+        Grid row = Grid.of(places.made(), Math.max(1, made.size()), GAP);
         for (int i = 0; i < made.size(); i++) {
-            laid.add(made(made.get(i), EDGE + i * (width + GAP), width));
+            laid.add(made(made.get(i), row.place(i)));
         }
         for (int i = 1; i <= levels.worlds(); i++) {
             laid.add(tab(i));
         }
         levels.of(world).forEach(level -> laid.add(card(level)));
         tiles = new Tiles(laid, chosen);
+        watch = Tile.at(places.watch(), this::drawWatch, this::watch);
     }
 
     private Tile tab(int number) {
         WorldTab tab = new WorldTab(levels, number, words);
-        return new Tile(
-                slotX(number - 1),
-                TABS_TOP,
-                WorldTab.WIDTH,
-                WorldTab.HEIGHT,
+        return Tile.at(
+                places.tabs().place(number - 1),
                 (canvas, tile, isChosen) -> tab.draw(canvas, tile, isChosen, number == world),
                 () -> turnTo(number));
     }
 
     private Tile card(int level) {
         LevelCard card = new LevelCard(levels, level, words);
-        int place = levels.place(level);
-        return new Tile(
-                slotX(place),
-                slotY(place),
-                LevelCard.WIDTH,
-                LevelCard.HEIGHT,
-                card::draw,
-                () -> open(level));
-    }
-
-    private static double slotX(int slot) {
-        return EDGE + slot % COLUMNS * PITCH_X;
-    }
-
-    private static double slotY(int slot) {
-        return TOP + slot / COLUMNS * PITCH_Y;
+        return Tile.at(places.cards().place(levels.place(level)), card::draw, () -> open(level));
     }
 
     /** Shows the levels of a world, with its tab chosen. */
@@ -158,19 +119,16 @@ public final class LevelsScene implements Scene {
         }
     }
 
-    private Tile made(SceneEntry entry, double x, double width) {
+    private Tile made(SceneEntry entry, Plate place) {
         String name = entry.title().apply(words);
-        return new Tile(
-                x,
-                MADE_TOP,
-                width,
-                BUTTON_HEIGHT,
+        return Tile.at(
+                place,
                 (canvas, tile, isChosen) -> Print.button(canvas, tile, name, isChosen),
                 () -> open(entry));
     }
 
-    private static Tile button(double x, Tile.Look look, Runnable action) {
-        return new Tile(x, BUTTON_TOP, BUTTON_WIDTH, BUTTON_HEIGHT, look, action);
+    private Tile button(int column, Tile.Look look, Runnable action) {
+        return Tile.at(places.buttons().place(column), look, action);
     }
 
     private void drawBack(Canvas canvas, Tile tile, boolean isChosen) {
@@ -217,46 +175,84 @@ public final class LevelsScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    @Override
     public void step() {}
 
     @Override
     public void draw(Canvas canvas) {
-        Print.centred(canvas, words.of("menu.levels"), WIDTH / 2.0, 44, 36, Color.BRASS);
-        String count = words.of("menu.solved", levels.solved(), levels.levels().size());
-        Print.right(canvas, count, WIDTH - EDGE, 46, 18, Color.TEXT);
+        fit(canvas.layout());
+        boolean isInHand = canvas.layout().isInHand();
+        if (!isInHand) {
+            Plate title = places.title();
+            Print.centred(canvas, words.of("menu.levels"), title.x(), title.y(), 36, Color.BRASS);
+        }
+        if (places.count() != Plate.NONE) {
+            drawCount(canvas);
+        }
         tiles.draw(canvas);
         if (levels.worlds() > 0) {
+            Plate plate = places.world();
             new WorldPlate(levels, world, words)
-                    .draw(
-                            canvas,
-                            slotX(PLATE_SLOT),
-                            slotY(PLATE_SLOT),
-                            PITCH_X + LevelCard.WIDTH,
-                            LevelCard.HEIGHT);
+                    .draw(canvas, plate.x(), plate.y(), plate.width(), plate.height());
         }
-        double foot = WIDTH - 2 * EDGE - (canWatch() ? WATCH_WIDTH + GAP : 0);
-        canvas.panel(EDGE, FOOT_TOP, foot, FOOT_HEIGHT, 12, Color.PANEL);
-        double middle = FOOT_TOP + FOOT_HEIGHT / 2;
-        drawAbout(canvas, EDGE + foot / 2, middle, foot - 2 * GAP);
+        drawFoot(canvas);
+    }
+
+    private void drawCount(Canvas canvas) {
+        String key = canvas.layout().isInHand() ? "menu.solved.short" : "menu.solved";
+        String count = words.of(key, levels.solved(), levels.levels().size());
+        Print.right(canvas, count, places.count().x(), places.count().y(), 18, Color.TEXT);
+    }
+
+    private void drawFoot(Canvas canvas) {
+        Plate foot = places.foot(canWatch());
+        canvas.panel(foot.x(), foot.y(), foot.width(), foot.height(), 12, Color.PANEL);
+        drawAbout(
+                canvas,
+                foot.x() + foot.width() / 2,
+                foot.y() + foot.height() / 2,
+                foot.width() - 2 * GAP);
         if (canWatch()) {
             watch.draw(canvas, false);
+        }
+    }
+
+    private void fit(Layout layout) {
+        LevelsPlaces fitting = LevelsPlaces.of(layout, !made.isEmpty());
+        if (!fitting.equals(places)) {
+            places = fitting;
+            layOut(tiles.chosen());
         }
     }
 
     /** Draws what is chosen about a point of the foot; of a level with a star a second line. */
     private void drawAbout(Canvas canvas, double x, double y, double width) {
         Optional<String> star = isMissed ? Optional.empty() : star();
-        double up = star.isPresent() ? LINE / 2 : 0;
-        Print.centred(canvas, about(), x, y - up, star.isPresent() ? 16 : 18, Color.TEXT);
+        double size = star.isPresent() || canvas.layout().isInHand() ? 16 : 18;
+        double line = canvas.layout().lettered(LINE);
+        List<String> lines = Lines.of(canvas, about(), size, Canvas.Font.WORDS, width);
+        double top = y - (lines.size() - 1 + (star.isPresent() ? 1 : 0)) * line / 2;
+        for (String words : lines) {
+            Print.centred(canvas, words, x, top, size, Color.TEXT);
+            top += line;
+        }
         if (star.isPresent()) {
-            String line = Lines.shortened(canvas, star.get(), 16, Canvas.Font.WORDS, width - 24);
-            double half = canvas.textWidth(line, 16, Canvas.Font.WORDS) / 2;
-            Print.centred(canvas, line, x + 10, y + LINE / 2, 16, Color.BRASS);
-            if (levels.hasStar(chosenLevel().orElseThrow())) {
-                Sign.star(canvas, x - half - 4, y + LINE / 2, 8, Color.BRASS);
-            } else {
-                Sign.outlinedStar(canvas, x - half - 4, y + LINE / 2, 7, 1.5, Color.BRASS);
-            }
+            drawStar(canvas, star.get(), x, top, width);
+        }
+    }
+
+    private void drawStar(Canvas canvas, String star, double x, double y, double width) {
+        String line = Lines.shortened(canvas, star, 16, Canvas.Font.WORDS, width - 24);
+        double half = canvas.textWidth(line, 16, Canvas.Font.WORDS) / 2;
+        Print.centred(canvas, line, x + 10, y, 16, Color.BRASS);
+        if (levels.hasStar(chosenLevel().orElseThrow())) {
+            Sign.star(canvas, x - half - 4, y, 8, Color.BRASS);
+        } else {
+            Sign.outlinedStar(canvas, x - half - 4, y, 7, 1.5, Color.BRASS);
         }
     }
 
@@ -286,7 +282,8 @@ public final class LevelsScene implements Scene {
     }
 
     private void drawWatch(Canvas canvas, Tile tile, boolean isChosen) {
-        Print.button(canvas, tile, words.of("replay.watch-best"), isChosen);
+        String key = canvas.layout().isInHand() ? "replay.watch-best.short" : "replay.watch-best";
+        Print.button(canvas, tile, words.of(key), isChosen);
     }
 
     private void watch() {
@@ -340,15 +337,20 @@ public final class LevelsScene implements Scene {
 
     @Override
     public void pointerMoved(double x, double y) {
-        if (y < FOOT_TOP) {
+        if (!places.isOnFoot(x, y)) {
             isMissed = false;
             tiles.pointerMoved(x, y);
         }
     }
 
     @Override
+    public Tap tap(double x, double y) {
+        return Tap.LIFTED;
+    }
+
+    @Override
     public void pointerPressed(PointerButton button, double x, double y) {
-        if (y < FOOT_TOP) {
+        if (!places.isOnFoot(x, y)) {
             tiles.pointerPressed(button, x, y);
         } else if (button == PointerButton.LEFT && canWatch() && watch.contains(x, y)) {
             watch();

@@ -4,11 +4,15 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
 import rigibo.frontend.scene.widget.Tiles;
@@ -26,27 +30,26 @@ public final class MenuScene implements Scene {
 
     private static final double MIDDLE = WIDTH / 2.0;
     private static final double GAP = 12;
-    private static final double BROAD = 480;
-    private static final double BROAD_LEFT = (WIDTH - BROAD) / 2;
-    private static final double PLAY_TOP = 190;
-    private static final double PLAY_HEIGHT = 84;
-    private static final double ROW_TOP = PLAY_TOP + PLAY_HEIGHT + GAP;
-    private static final double ROW_HEIGHT = 48;
-    private static final int ROW_COUNT = 4;
-    private static final double HEADING = 368;
-    private static final double CARDS_TOP = 386;
-    private static final double CARD_HEIGHT = 46;
-    private static final double CARD_GAP = 6;
-    private static final double CARD_WIDTH = 320;
-    private static final double CARDS_LEFT = (WIDTH - 2 * CARD_WIDTH - GAP) / 2;
+    private static final double MARGIN = 34;
     private static final double FOOT = HEIGHT - 20;
+
+    /** Between lines of small text, px. */
+    private static final double LINE = 24;
+
+    /** The middles of the two lines of the way to play, in shares of its height. */
+    private static final double VERB = 30 / 84.0;
+
+    private static final double NEXT = 64 / 84.0;
 
     private final Director director;
     private final Words words;
-    private final Tiles tiles;
+    private final List<SceneEntry> entries;
+    private final LevelList levels;
+    private MenuPlaces places = MenuPlaces.ON_A_DESK;
+    private Tiles tiles;
 
     /** Which of the tiles quits. */
-    private final int quit;
+    private int quit;
 
     private final NoticePlate notice;
     private final Playground playground = new Playground();
@@ -56,33 +59,35 @@ public final class MenuScene implements Scene {
     public MenuScene(Director director, List<SceneEntry> entries) {
         this.director = director;
         words = director.words();
-        LevelList levels = LevelList.of(entries, director.progress());
+        this.entries = List.copyOf(entries);
+        levels = LevelList.of(entries, director.progress());
         notice = new NoticePlate(director);
         tagline =
                 levels.isComplete()
                         ? words.of("menu.complete", levels.levels().size())
                         : words.of("menu.tagline");
-        List<Tile> laid = new ArrayList<>();
-        if (!levels.levels().isEmpty()) {
-            laid.add(play(levels));
-        }
-        laid.addAll(row(entries));
-        quit = laid.size() - 1;
-        laid.addAll(cards(entries.stream().filter(entry -> !entry.isLevel()).toList()));
-        tiles = new Tiles(laid, 0);
+        layOut(0);
     }
 
-    private Tile play(LevelList levels) {
+    private void layOut(int chosen) {
+        List<Tile> laid = new ArrayList<>();
+        if (!levels.levels().isEmpty()) {
+            laid.add(play());
+        }
+        laid.addAll(row());
+        quit = laid.size() - 1;
+        laid.addAll(cards(entries.stream().filter(entry -> !entry.isLevel()).toList()));
+        tiles = new Tiles(laid, chosen);
+    }
+
+    private Tile play() {
         int number = levels.next();
         SceneEntry next = levels.levels().get(number);
         String verb = words.of(verb(levels));
         String place = levels.world(number) + "–" + (levels.place(number) + 1);
         String title = place + "   " + next.title().apply(words);
-        return new Tile(
-                BROAD_LEFT,
-                PLAY_TOP,
-                BROAD,
-                PLAY_HEIGHT,
+        return Tile.at(
+                places.play(),
                 (canvas, tile, isChosen) -> drawPlay(canvas, tile, verb, title, isChosen),
                 () -> open(next));
     }
@@ -102,50 +107,47 @@ public final class MenuScene implements Scene {
             canvas.frame(
                     tile.x() - 4, tile.y() - 4, tile.width() + 8, tile.height() + 8, 22, plate);
         }
-        Print.centred(canvas, verb, tile.middleX(), tile.y() + 30, 34, Color.DUSK_TOP);
-        Print.centred(canvas, title, tile.middleX(), tile.y() + 64, 18, Color.DUSK_TOP);
+        Print.centred(
+                canvas, verb, tile.middleX(), tile.y() + VERB * tile.height(), 34, Color.DUSK_TOP);
+        Print.centred(
+                canvas, title, tile.middleX(), tile.y() + NEXT * tile.height(), 18, Color.DUSK_TOP);
     }
 
-    private List<Tile> row(List<SceneEntry> entries) {
+    private List<Tile> row() {
         List<Tile> row = new ArrayList<>();
         row.add(button(0, "menu.levels", director::showLevels));
-        row.add(button(1, "menu.statistics", () -> director.show(statistics(entries))));
+        row.add(button(1, "menu.statistics", () -> director.show(statistics())));
         row.add(button(2, "menu.settings", () -> director.show(new SettingsScene(director))));
-        if (director.canQuit()) {
+        if (canQuit()) {
             row.add(button(3, "menu.quit", director::quit));
         }
         return row;
     }
 
-    private Scene statistics(List<SceneEntry> entries) {
+    /** A window in a hand is left by other means. */
+    private boolean canQuit() {
+        return director.canQuit() && places.equals(MenuPlaces.ON_A_DESK);
+    }
+
+    private Scene statistics() {
         return new StatisticsScene(director, entries, LocalDate.now(ZoneOffset.UTC));
     }
 
     private Tile button(int column, String key, Runnable action) {
-        int count = director.canQuit() ? ROW_COUNT : ROW_COUNT - 1;
-        double width = (2 * CARD_WIDTH + GAP - (count - 1) * GAP) / count;
-        double x = CARDS_LEFT + column * (width + GAP);
-        return new Tile(
-                x,
-                ROW_TOP,
-                width,
-                ROW_HEIGHT,
+        int count = canQuit() ? 4 : 3;
+        return Tile.at(
+                Grid.of(places.row(), count, GAP).place(column),
                 (canvas, tile, isChosen) ->
                         Print.button(canvas, tile, this.words.of(key), isChosen),
                 pressing(action));
     }
 
-    private List<Tile> cards(List<SceneEntry> entries) {
+    private List<Tile> cards(List<SceneEntry> others) {
         List<Tile> cards = new ArrayList<>();
-        for (SceneEntry entry : entries) {
-            int column = cards.size() % 2;
-            int row = cards.size() / 2;
+        for (SceneEntry entry : others) {
             cards.add(
-                    new Tile(
-                            CARDS_LEFT + column * (CARD_WIDTH + GAP),
-                            CARDS_TOP + row * (CARD_HEIGHT + CARD_GAP),
-                            CARD_WIDTH,
-                            CARD_HEIGHT,
+                    Tile.at(
+                            places.cards().place(cards.size()),
                             (canvas, tile, isChosen) -> drawCard(canvas, tile, entry, isChosen),
                             () -> open(entry)));
         }
@@ -156,7 +158,12 @@ public final class MenuScene implements Scene {
         Print.plate(canvas, tile, isChosen);
         double left = tile.x() + 16;
         double width = tile.width() - 32;
-        Print.left(canvas, entry.title().apply(words), left, tile.y() + 14, 20, Color.TEXT);
+        String title = entry.title().apply(words);
+        if (canvas.layout().isInHand()) {
+            Print.left(canvas, title, left, tile.middleY(), 20, Color.TEXT);
+            return;
+        }
+        Print.left(canvas, title, left, tile.y() + 14, 20, Color.TEXT);
         String about =
                 Lines.shortened(canvas, entry.words().apply(words), 16, Canvas.Font.WORDS, width);
         Print.left(canvas, about, left, tile.y() + 35, 16, Color.TEXT_DIM);
@@ -180,27 +187,50 @@ public final class MenuScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    @Override
     public void step() {
         playground.step();
     }
 
     @Override
     public void draw(Canvas canvas) {
+        fit(canvas.layout());
         playground.draw(canvas);
-        Print.centred(canvas, "RigiBo", MIDDLE, 84, 92, Color.BRASS);
-        Print.centred(canvas, tagline, MIDDLE, 152, 20, Color.TEXT);
+        Plate head = places.head();
+        double middle = head.x() + head.width() / 2;
+        Print.centred(canvas, "RigiBo", middle, head.y(), 92, Color.BRASS);
+        double y = head.bottom();
+        for (String line : Lines.of(canvas, tagline, 20, Canvas.Font.WORDS, head.width())) {
+            Print.centred(canvas, line, middle, y, 20, Color.TEXT);
+            y += canvas.layout().lettered(LINE);
+        }
         tiles.draw(canvas);
-        Print.left(canvas, words.of("menu.physics"), CARDS_LEFT + 6, HEADING, 20, Color.TEXT);
-        drawKeys(canvas);
+        Plate heading = places.heading();
+        Print.left(canvas, words.of("menu.physics"), heading.x(), heading.y(), 20, Color.TEXT);
+        if (!canvas.layout().isInHand()) {
+            drawKeys(canvas);
+        }
         if (notice.isShown()) {
             notice.draw(canvas);
+        }
+    }
+
+    private void fit(Layout layout) {
+        MenuPlaces fitting = MenuPlaces.of(layout);
+        if (!fitting.equals(places)) {
+            places = fitting;
+            layOut(tiles.chosen());
         }
     }
 
     private void drawKeys(Canvas canvas) {
         String keys = words.of("menu.keys");
         double needed = canvas.textWidth(keys, 16, Canvas.Font.WORDS) + 24;
-        double width = Math.max(WIDTH - 2 * CARDS_LEFT, needed);
+        double width = Math.max(WIDTH - 2 * MARGIN, needed);
         canvas.panel(MIDDLE - width / 2, FOOT - 14, width, 28, 10, Color.PANEL);
         Print.centred(canvas, keys, MIDDLE, FOOT, 16, Color.TEXT);
     }
@@ -211,6 +241,11 @@ public final class MenuScene implements Scene {
         if (!notice.isShown()) {
             tiles.pointerMoved(x, y);
         }
+    }
+
+    @Override
+    public Tap tap(double x, double y) {
+        return Tap.LIFTED;
     }
 
     @Override
@@ -238,7 +273,7 @@ public final class MenuScene implements Scene {
             notice.dismiss();
             return true;
         }
-        if (!director.canQuit()) {
+        if (!canQuit()) {
             return true;
         }
         boolean isAsked = tiles.chosen() == quit;

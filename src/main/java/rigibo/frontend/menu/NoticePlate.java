@@ -45,15 +45,16 @@ final class NoticePlate {
         for (String notice : director.notices()) {
             lines.addAll(Lines.of(canvas, notice, SIZE, Canvas.Font.WORDS, WIDTH - 2 * PADDING));
         }
-        double height = 2 * PADDING + LINE * lines.size() + FOOT;
+        double pitch = canvas.layout().lettered(LINE);
+        double height = 2 * PADDING + pitch * lines.size() + FOOT;
         double top = (Scene.HEIGHT - height) / 2;
         canvas.cover(Color.DUSK_TOP.alpha(0.96));
         canvas.panel(LEFT, top, WIDTH, height, 18, Color.PANEL_LIT);
         canvas.frame(LEFT, top, WIDTH, height, 18, Color.BRASS);
-        double y = top + PADDING + LINE / 2;
+        double y = top + PADDING + pitch / 2;
         for (String line : lines) {
             Print.left(canvas, line, LEFT + PADDING, y, SIZE, Color.TEXT);
-            y += LINE;
+            y += pitch;
         }
         String foot = director.words().of("menu.understood");
         Print.centred(canvas, foot, Scene.WIDTH / 2.0, y + FOOT / 2, SIZE, Color.BRASS);

@@ -59,6 +59,10 @@ final class Playground {
     }
 
     void draw(Canvas canvas) {
+        camera.home();
+        if (canvas.layout().isInHand()) {
+            camera.pan(0, canvas.layout().bottom() - Scene.HEIGHT);
+        }
         canvas.camera(camera);
         canvas.gaze(camera.worldX(watchedX), camera.worldY(watchedY));
         canvas.body(plank(canvas), 4.5, -0.02, 0, Skin.WOOD, Canvas.Mood.PLAIN);

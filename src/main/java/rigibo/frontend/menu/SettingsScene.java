@@ -4,6 +4,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
@@ -25,6 +26,11 @@ public final class SettingsScene implements Scene {
 
     private static final double PANEL_WIDTH = 560;
     private static final double TOP = 190;
+
+    /** Round the panel in a hand, and above it where the heading is, px. */
+    private static final double GAP_IN_HAND = 12;
+
+    private static final double TOP_IN_HAND = 110;
     private static final List<String> LANGUAGES = Settings.LANGUAGES.stream().sorted().toList();
 
     private final Director director;
@@ -124,6 +130,11 @@ public final class SettingsScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    @Override
     public void step() {
         playground.step();
     }
@@ -132,7 +143,18 @@ public final class SettingsScene implements Scene {
     public void draw(Canvas canvas) {
         playground.draw(canvas);
         String heading = director.words().of("menu.settings");
-        Print.centred(canvas, heading, WIDTH / 2.0, 120, 48, Color.BRASS);
+        Layout layout = canvas.layout();
+        if (layout.isInHand()) {
+            double left = layout.seenLeft() + GAP_IN_HAND;
+            double top = layout.seenTop() + (layout.isUpright() ? TOP_IN_HAND : GAP_IN_HAND);
+            panel.place(left, top, layout.seenRight() - GAP_IN_HAND - left);
+        } else {
+            panel.place((WIDTH - PANEL_WIDTH) / 2, TOP, PANEL_WIDTH);
+        }
+        if (!layout.isInHand() || layout.isUpright()) {
+            double y = layout.isInHand() ? layout.seenTop() + TOP_IN_HAND / 2 : 120;
+            Print.centred(canvas, heading, WIDTH / 2.0, y, 48, Color.BRASS);
+        }
         panel.draw(canvas);
     }
 

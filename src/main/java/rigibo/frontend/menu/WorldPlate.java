@@ -2,6 +2,7 @@ package rigibo.frontend.menu;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
@@ -31,38 +32,53 @@ record WorldPlate(LevelList levels, int world, Words words) {
 
     void draw(Canvas canvas, double x, double y, double width, double height) {
         canvas.panel(x, y, width, height, 14, Color.PANEL);
+        Layout layout = canvas.layout();
         double left = x + MARGIN;
-        Print.left(canvas, words.of("world." + world), left, y + NAME, 22, Color.BRASS);
+        Print.left(
+                canvas,
+                words.of("world." + world),
+                left,
+                y + layout.lettered(NAME),
+                22,
+                Color.BRASS);
         String told = words.of("world." + world + ".words");
         double room = width - 2 * MARGIN;
-        drawLines(canvas, told, left, y + TEXT, room);
-        double foot = y + height - FOOT;
+        double foot = y + height - layout.lettered(FOOT);
+        double end = drawLines(canvas, told, left, y + layout.lettered(TEXT), room);
+        boolean hasRoom = !layout.isInHand() || end < foot - layout.lettered(LINE) / 2;
+        if (!hasRoom) {
+            return;
+        }
         if (levels.isWorldOpen(world)) {
             drawDone(canvas, left, x + width - MARGIN, foot);
         } else {
             Padlock.draw(canvas, left + 12, foot - 14, 0.7);
             String opens = words.of("world.opens", levels.opens(world), levels.solved());
-            drawLines(canvas, opens, left + LOCK, foot - LINE, room - LOCK);
+            drawLines(canvas, opens, left + LOCK, foot - layout.lettered(LINE), room - LOCK);
         }
     }
 
-    private static void drawLines(Canvas canvas, String text, double x, double y, double width) {
+    /** Draws lines below each other; returns where the next one would be, px. */
+    private static double drawLines(Canvas canvas, String text, double x, double y, double width) {
         double at = y;
         for (String line : Lines.of(canvas, text, 16, Canvas.Font.WORDS, width)) {
             Print.left(canvas, line, x, at, 16, Color.TEXT);
-            at += LINE;
+            at += canvas.layout().lettered(LINE);
         }
+        return at;
     }
 
     private void drawDone(Canvas canvas, double left, double right, double y) {
         String solved = words.of("menu.solved", levels.solved(world), levels.of(world).size());
         Print.left(canvas, solved, left, y, 16, Color.TEXT_DIM);
         Medal[] all = Medal.values();
+        double pitch = canvas.layout().lettered(MEDAL_PITCH);
+        double aside = pitch / 6;
         for (int i = 0; i < all.length; i++) {
-            double x = right - (all.length - i) * MEDAL_PITCH + MEDAL_PITCH / 2;
-            LevelCard.drawMedal(canvas, x - 8, y, all[i]);
+            double x = right - (all.length - i) * pitch + pitch / 2;
+            LevelCard.drawMedal(canvas, x - aside, y, all[i]);
             String count = String.valueOf(levels.medals(world, all[i]));
-            Print.left(canvas, count, x + 8, y, 16, Color.TEXT);
+            Print.left(canvas, count, x + aside, y, 16, Color.TEXT);
         }
     }
 }

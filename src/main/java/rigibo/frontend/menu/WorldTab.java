@@ -18,13 +18,11 @@ import java.util.List;
  */
 record WorldTab(LevelList levels, int world, Words words) {
 
-    /** px. */
-    static final double WIDTH = LevelCard.WIDTH;
+    /** The height of a tab on a desk, px, and the middles of its two lines in shares of it. */
+    private static final double HEIGHT = 54;
 
-    static final double HEIGHT = 54;
-
-    private static final double NAME = 19;
-    private static final double DOTS = 40;
+    private static final double NAME = 19 / HEIGHT;
+    private static final double DOTS = 40 / HEIGHT;
     private static final double DOT = 3.5;
     private static final double DOT_PITCH = 12;
 
@@ -34,17 +32,27 @@ record WorldTab(LevelList levels, int world, Words words) {
     void draw(Canvas canvas, Tile tile, boolean isChosen, boolean isShown) {
         Print.plate(canvas, tile, isChosen);
         if (isShown) {
-            canvas.panel(tile.x() + 14, tile.y() + HEIGHT - LINE, WIDTH - 28, LINE, 2, Color.BRASS);
+            canvas.panel(
+                    tile.x() + 14,
+                    tile.y() + tile.height() - LINE,
+                    tile.width() - 28,
+                    LINE,
+                    2,
+                    Color.BRASS);
         }
         String name =
                 Lines.shortened(
-                        canvas, words.of("world." + world), 16, Canvas.Font.WORDS, WIDTH - 12);
+                        canvas,
+                        words.of("world." + world),
+                        16,
+                        Canvas.Font.WORDS,
+                        tile.width() - 12);
         Color color = isShown ? Color.BRASS : Color.TEXT;
-        Print.centred(canvas, name, tile.middleX(), tile.y() + NAME, 16, color);
+        Print.centred(canvas, name, tile.middleX(), tile.y() + NAME * tile.height(), 16, color);
         if (levels.isWorldOpen(world)) {
             drawDots(canvas, tile);
         } else {
-            Padlock.draw(canvas, tile.middleX(), tile.y() + DOTS - 2, 0.55);
+            Padlock.draw(canvas, tile.middleX(), tile.y() + DOTS * tile.height() - 2, 0.55);
         }
     }
 
@@ -53,7 +61,7 @@ record WorldTab(LevelList levels, int world, Words words) {
         double x = tile.middleX() - (all.size() - 1) * DOT_PITCH / 2;
         for (int level : all) {
             Color color = levels.isSolved(level) ? Color.GOOD : Color.EDGE;
-            canvas.disc(x, tile.y() + DOTS, DOT, color);
+            canvas.disc(x, tile.y() + DOTS * tile.height(), DOT, color);
             x += DOT_PITCH;
         }
     }

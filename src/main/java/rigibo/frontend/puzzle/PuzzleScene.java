@@ -24,6 +24,7 @@ import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Tap;
 
 import java.util.EnumSet;
 import java.util.List;
@@ -104,6 +105,11 @@ public final class PuzzleScene implements Scene {
     @Override
     public String title() {
         return "RigiBo – " + level.title().in(director.words().locale());
+    }
+
+    @Override
+    public boolean isForHands() {
+        return true;
     }
 
     @Override
@@ -189,6 +195,17 @@ public final class PuzzleScene implements Scene {
     public void pointerMoved(double x, double y) {
         table.point(x, y);
         panels.pointerMoved(x, y);
+    }
+
+    @Override
+    public Tap tap(double x, double y) {
+        boolean isOnPanel = panels.at(x, y).isPresent() || panels.cover(x, y);
+        return isOnPanel ? Tap.LIFTED : Tap.CHOSEN;
+    }
+
+    @Override
+    public void choosing(boolean isChoosing) {
+        table.choosing(isChoosing);
     }
 
     @Override

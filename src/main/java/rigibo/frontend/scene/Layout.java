@@ -12,9 +12,16 @@ package rigibo.frontend.scene;
  * @param height of the window, {@link Scene#HEIGHT} or more
  * @param ratio pixels of the window per logical one
  * @param type factor by which the smallest text is enlarged to be read in a small window, 1 or more
+ * @param touch what a window in a hand asks for
  */
 public record Layout(
-        double left, double top, double width, double height, double ratio, double type) {
+        double left,
+        double top,
+        double width,
+        double height,
+        double ratio,
+        double type,
+        Touch touch) {
 
     /** Smallest share of its usual size at which a scene is still to be read. */
     public static final double LEAST_SCALE = 0.85;
@@ -34,8 +41,19 @@ public record Layout(
     /** The smallest text of scenes, px. */
     private static final double SMALLEST_TEXT = 16;
 
+    /** The smallest text of a window in a hand, px of its screen. */
+    private static final double TEXT_IN_HAND = 14;
+
+    /** The smallest side of what is touched, px of its screen. */
+    public static final double FINGER = 44;
+
     /** A scene in a window of its own shape and size. */
     public static final Layout ALONE = of(Scene.WIDTH, Scene.HEIGHT, 1);
+
+    /** A layout for a window on a desk. */
+    Layout(double left, double top, double width, double height, double ratio, double type) {
+        this(left, top, width, height, ratio, type, Touch.NONE);
+    }
 
     /**
      * A scene in the middle of a window.
@@ -58,6 +76,28 @@ public record Layout(
     }
 
     /**
+     * A scene in the middle of a window that is held in a hand.
+     *
+     * @param windowWidth in pixels
+     * @param windowHeight in pixels
+     * @param contentScale pixels of the window per pixel of text at its usual size
+     * @param hidden what is not seen of the window's edges, in pixels
+     */
+    public static Layout inHand(
+            int windowWidth, int windowHeight, double contentScale, Edges hidden) {
+        Layout plain = of(windowWidth, windowHeight, contentScale);
+        double unit = contentScale / plain.ratio;
+        return new Layout(
+                plain.left,
+                plain.top,
+                plain.width,
+                plain.height,
+                plain.ratio,
+                Math.max(1, TEXT_IN_HAND * unit / SMALLEST_TEXT),
+                new Touch(FINGER * unit, hidden.times(1 / plain.ratio)));
+    }
+
+    /**
      * Returns a layout with larger text.
      *
      * @param share of the usual size, 1 or more
@@ -65,17 +105,17 @@ public record Layout(
      */
     public Layout withText(double share, double most) {
         double larger = Math.max(type, Math.min(most, type * share));
-        return new Layout(left, top, width, height, ratio, larger);
+        return new Layout(left, top, width, height, ratio, larger, touch);
     }
 
     /**
      * Returns a layout with room for plates beside the scene: moves the scene to the right edge
-     * where there is room for one column, and none for two.
+     * where there is room for one column, and none for two. In a hand it stays in the middle.
      */
     public Layout withColumns() {
         double beside = width - Scene.WIDTH;
-        boolean isForOne = beside >= margin() && beside < 2 * margin();
-        return isForOne ? new Layout(-beside, top, width, height, ratio, type) : this;
+        boolean isForOne = !isInHand() && beside >= margin() && beside < 2 * margin();
+        return isForOne ? new Layout(-beside, top, width, height, ratio, type, touch) : this;
     }
 
     /** Least width beside the scene for a column, px. */
@@ -111,6 +151,46 @@ public record Layout(
     /** Lower edge of the window, px. */
     public double bottom() {
         return top + height;
+    }
+
+    /** Whether fingers are used, and there is little room for what they touch. */
+    public boolean isInHand() {
+        return touch.least() > 0;
+    }
+
+    /** Whether it is higher than wide: what lies around the scene is above and below it. */
+    public boolean isUpright() {
+        return height > width;
+    }
+
+    /** Left edge of what is seen of the window, px. */
+    public double seenLeft() {
+        return left + touch.hidden().left();
+    }
+
+    /** Upper edge of what is seen of the window, px. */
+    public double seenTop() {
+        return top + touch.hidden().top();
+    }
+
+    /** Right edge of what is seen of the window, px. */
+    public double seenRight() {
+        return right() - touch.hidden().right();
+    }
+
+    /** Lower edge of what is seen of the window, px. */
+    public double seenBottom() {
+        return bottom() - touch.hidden().bottom();
+    }
+
+    /** Height of something to click, px: in a hand, at least that of a finger. */
+    public double clickable(double usual) {
+        return Math.max(usual, touch.least());
+    }
+
+    /** A length that grows with small text in a hand, px; on a desk as it is. */
+    public double lettered(double usual) {
+        return isInHand() ? usual * type : usual;
     }
 
     /** Whether something round about a point can be seen in the window, px. */

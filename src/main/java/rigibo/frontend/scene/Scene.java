@@ -31,6 +31,14 @@ public interface Scene {
     }
 
     /**
+     * Whether it has a layout of its own for a window in a hand; where not, it is as small there as
+     * the window is.
+     */
+    default boolean isForHands() {
+        return false;
+    }
+
+    /**
      * Goes on by one {@link #STEP}: once in a turn of the loop, more often when pictures are late.
      */
     void step();
@@ -55,6 +63,14 @@ public interface Scene {
 
     /** A button went up. */
     default void pointerReleased(PointerButton button, double x, double y) {}
+
+    /** When a finger at a point presses what is there. */
+    default Tap tap(double x, double y) {
+        return Tap.AT_ONCE;
+    }
+
+    /** A finger begins or ends to choose what is under the pointer; see {@link Tap#CHOSEN}. */
+    default void choosing(boolean isChoosing) {}
 
     /** The wheel turned; positive away from the user. */
     default void scrolled(double notches, double x, double y) {}

@@ -8,6 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Progress;
@@ -15,8 +16,10 @@ import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.widget.Widget;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Menu, levels and settings, used as a player does, by what is drawn. */
 class MenuScenesTest {
@@ -24,6 +27,8 @@ class MenuScenesTest {
     private static final String NOTICE =
             "progress.json was damaged. Folder: "
                     + "/home/someone/with/a/very/long/name/of/a/home/directory/indeed/.local/share";
+
+    private static final double ROUND_OFF = 1e-9;
 
     private final RecordingDirector director = new RecordingDirector();
 
@@ -124,6 +129,52 @@ class MenuScenesTest {
         told.tell(NOTICE);
         told.tell(NOTICE);
         assertLegible(new MenuScene(told, Entries.all(15)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void everythingCanBeReadInAHand(String language) {
+        RecordingDirector told = new RecordingDirector(language);
+        told.progress(
+                Progress.none()
+                        .solved("level0", Entries.HASH, 1)
+                        .solved("level1", Entries.HASH, 3)
+                        .starred("level1", Entries.HASH)
+                        .solved("level3", 0, 1));
+        assertLegibleInHand(new MenuScene(told, Entries.all(15)));
+        LevelsScene levels = new LevelsScene(told, Entries.all(40), Entries.made());
+        for (int world = 1; world <= 4; world++) {
+            assertLegibleInHand(levels);
+            levels.keyPressed(Key.RIGHT_BRACKET);
+        }
+        assertLegibleInHand(new SettingsScene(told));
+        told.tell(NOTICE);
+        assertLegibleInHand(new MenuScene(told, Entries.all(15)));
+    }
+
+    private static void assertLegibleInHand(Scene scene) {
+        assertThat(Legibility.faultsInHand(scene)).as(scene.title()).isEmpty();
+    }
+
+    @Test
+    void whatIsTouchedIsAsLargeAsAFinger() {
+        for (Layout layout : Legibility.HANDS) {
+            double least = 44 / layout.ratio() - ROUND_OFF;
+            MenuPlaces menu = MenuPlaces.of(layout);
+            LevelsPlaces levels = LevelsPlaces.of(layout, true);
+            assertThat(
+                            Stream.of(
+                                    menu.play(),
+                                    menu.row(),
+                                    menu.cards().first(),
+                                    levels.buttons().first(),
+                                    levels.made(),
+                                    levels.tabs().first(),
+                                    levels.cards().first(),
+                                    levels.watch()))
+                    .allMatch(plate -> plate.height() >= least && plate.width() >= least);
+            assertThat(Widget.row(layout)).isGreaterThanOrEqualTo(least);
+        }
     }
 
     @Test

@@ -85,6 +85,21 @@ class PuzzleLegibilityTest {
 
     @ParameterizedTest
     @MethodSource("cases")
+    void inAHandItCanBeReadAndNothingCoversThePlay(Case level) {
+        for (Layout layout : Legibility.HANDS) {
+            Scene scene = level.open(new RecordingDirector());
+            scene.keyPressed(Key.S);
+            scene.step();
+            assertThat(Legibility.faults(scene, layout)).as(level + " in " + layout).isEmpty();
+            RecordingCanvas canvas = RecordingCanvas.of(scene, layout);
+            assertThat(canvas.bodies())
+                    .as(level + " in " + layout)
+                    .noneMatch(body -> canvas.isUnderPanel(body[0], body[1]));
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("cases")
     void pausedSlowedRefusedAndChosenByKeys(Case level) {
         Scene scene = level.open(new RecordingDirector());
         for (Key key : new Key[] {Key.S, Key.S, Key.P, Key.TAB, Key.P, Key.BACKSPACE, Key.H}) {

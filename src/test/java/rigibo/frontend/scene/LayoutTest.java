@@ -128,4 +128,38 @@ class LayoutTest {
         Layout small = Layout.of(612, 680, 1).withText(1.3, 1.3);
         assertThat(small.textSize(16)).isCloseTo(20.8, within(ROUND_OFF));
     }
+
+    @ParameterizedTest
+    @CsvSource({"360, 640, 1", "1170, 2532, 3", "640, 360, 1", "2532, 1170, 3"})
+    void inAHandTextAndFingersHaveRoom(int width, int height, double contentScale) {
+        Layout layout = Layout.inHand(width, height, contentScale, Edges.NONE);
+        double shown = layout.ratio() / contentScale;
+        assertThat(layout.textSize(16) * shown).isCloseTo(14, within(ROUND_OFF));
+        assertThat(layout.clickable(20) * shown).isCloseTo(44, within(ROUND_OFF));
+        assertThat(layout.lettered(22)).isEqualTo(22 * layout.type());
+        assertThat(layout.withText(1.3, 1.3)).isEqualTo(layout);
+        assertThat(layout.isUpright()).isEqualTo(height > width);
+    }
+
+    @Test
+    void notchesAreKeptFree() {
+        Layout layout = Layout.inHand(1170, 2532, 3, new Edges(0, 141, 12, 102));
+        assertThat(layout.windowX(layout.seenLeft())).isCloseTo(0, within(ROUND_OFF));
+        assertThat(layout.windowY(layout.seenTop())).isCloseTo(141, within(ROUND_OFF));
+        assertThat(layout.windowX(layout.seenRight())).isCloseTo(1158, within(ROUND_OFF));
+        assertThat(layout.windowY(layout.seenBottom())).isCloseTo(2430, within(ROUND_OFF));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "612, 680, 1, false",
+        "1280, 720, 1.25, false",
+        "844, 390, 1, true",
+        "980, 2000, 2, true"
+    })
+    void onlyWindowsAsSmallAsPhonesAreInAHand(
+            int width, int height, double contentScale, boolean isInHand) {
+        Pane pane = new Pane(width, height, contentScale, Edges.NONE);
+        assertThat(pane.isInHand()).isEqualTo(isInHand);
+    }
 }

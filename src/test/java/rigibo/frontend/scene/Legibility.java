@@ -11,11 +11,32 @@ public final class Legibility {
     /** The smallest text that everyone can read, px of the screen. */
     private static final double SMALLEST = 16;
 
+    /** In a hand, which is nearer to the eyes. */
+    private static final double SMALLEST_IN_HAND = 14;
+
     private static final double ROUND_OFF = 1e-9;
 
     private static final Layout SMALLEST_WINDOW = Layout.of(612, 680, 1);
 
+    /** Phones with and without a notch, upright and lying. */
+    public static final List<Layout> HANDS =
+            List.of(
+                    Layout.inHand(360, 640, 1, Edges.NONE),
+                    Layout.inHand(390, 844, 1, new Edges(0, 47, 0, 34)),
+                    Layout.inHand(640, 360, 1, Edges.NONE),
+                    Layout.inHand(844, 390, 1, new Edges(47, 0, 47, 21)));
+
     private Legibility() {}
+
+    /** One sentence for each fault of a scene in a window in a hand. */
+    public static List<String> faultsInHand(Scene scene) {
+        List<String> faults = new ArrayList<>();
+        for (Layout layout : HANDS) {
+            String where = " in a hand, " + layout.width() + " by " + layout.height();
+            faults(scene, layout).forEach(fault -> faults.add(fault + where));
+        }
+        return faults;
+    }
 
     /**
      * One sentence for each text that leaves the window or its panel, meets another text, is too
@@ -51,11 +72,18 @@ public final class Legibility {
     private static void judge(List<Mark> marks, int at, Layout layout, List<String> faults) {
         Mark text = marks.get(at);
         Mark window =
-                new Mark("", null, layout.left(), layout.top(), layout.right(), layout.bottom());
+                new Mark(
+                        "",
+                        null,
+                        layout.seenLeft(),
+                        layout.seenTop(),
+                        layout.seenRight(),
+                        layout.seenBottom());
         if (!window.contains(text)) {
             faults.add(text + " leaves the window");
         }
-        if ((text.bottom() - text.top()) * layout.ratio() < SMALLEST - ROUND_OFF) {
+        double smallest = layout.isInHand() ? SMALLEST_IN_HAND : SMALLEST;
+        if ((text.bottom() - text.top()) * layout.ratio() < smallest - ROUND_OFF) {
             faults.add(text + " is too small");
         }
         if (!text.face().missing(text.words()).isEmpty()) {

@@ -21,20 +21,20 @@ final class PageInput {
     /** Pixels by which a wheel scrolls a page for each notch. */
     private static final double PER_NOTCH = 100;
 
-    /** Where nothing is that a finger could still seem to be over. */
-    private static final double AWAY = -1000;
+    private static final double NANOS = 1e9;
 
     private final PageSurface surface;
     private final PageDisplay display;
     private Input input;
+    private Finger finger;
 
     PageInput(PageSurface surface, PageDisplay display) {
         this.surface = surface;
         this.display = display;
-        listen("pointermove", event -> point((MouseEvent) event));
+        listen("pointermove", this::moved);
         listen("pointerdown", this::pressed);
         listen("pointerup", this::released);
-        listen("pointercancel", this::released);
+        listen("pointercancel", this::taken);
         listen("wheel", this::scrolled);
         listen("contextmenu", Event::preventDefault);
         Window.current().addEventListener("keydown", this::keyDown);
@@ -63,11 +63,26 @@ final class PageInput {
                         display::toggleMute,
                         () -> {},
                         () -> display.settings().keys());
+        finger = new Finger(input, () -> System.nanoTime() / NANOS);
+    }
+
+    private void moved(Event event) {
+        if (!isFinger(event)) {
+            point((MouseEvent) event);
+        } else if (isFirst(event)) {
+            look();
+            finger.slid(x(event), y(event));
+        }
+    }
+
+    /** What is pressed is where it was drawn last. */
+    private void look() {
+        input.shows(surface.layout(), PageSurface.ratio(), surface.wayBack());
     }
 
     private void point(MouseEvent event) {
         if (isFirst(event)) {
-            input.shows(surface.layout(), PageSurface.ratio());
+            look();
             input.cursor(x(event), y(event));
         }
     }
@@ -75,7 +90,11 @@ final class PageInput {
     private void pressed(Event event) {
         event.preventDefault();
         MouseEvent mouse = (MouseEvent) event;
-        if (isFirst(mouse)) {
+        if (isFirst(mouse) && isFinger(event)) {
+            look();
+            capture(event);
+            finger.down(x(event), y(event));
+        } else if (isFirst(mouse)) {
             point(mouse);
             capture(event);
             input.modifiers(held(mouse.getShiftKey(), mouse.getCtrlKey(), mouse.getMetaKey()));
@@ -85,12 +104,20 @@ final class PageInput {
 
     private void released(Event event) {
         MouseEvent mouse = (MouseEvent) event;
-        if (isFirst(mouse)) {
+        if (isFirst(mouse) && isFinger(event)) {
+            look();
+            finger.lifted();
+        } else if (isFirst(mouse)) {
             point(mouse);
             input.mouseButton(button(mouse), GLFW_RELEASE);
-            if (isFinger(event) && !display.isLeaving()) {
-                input.cursor(AWAY, AWAY);
-            }
+        }
+    }
+
+    private void taken(Event event) {
+        if (isFinger(event)) {
+            finger.taken();
+        } else {
+            released(event);
         }
     }
 

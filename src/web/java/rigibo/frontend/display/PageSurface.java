@@ -14,9 +14,12 @@ import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.draw.Painter;
 import rigibo.frontend.draw.Paper;
 import rigibo.frontend.scene.DisplayException;
+import rigibo.frontend.scene.Edges;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Pane;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.widget.Plate;
 
 /** The two canvases that fill the page: bodies by WebGL, and over them plates, lines and words. */
 final class PageSurface {
@@ -27,6 +30,7 @@ final class PageSurface {
     private final Painter painter;
     private final DetailChoice choice = new DetailChoice();
     private Layout layout = Layout.ALONE;
+    private Plate wayBack = Plate.NONE;
 
     PageSurface() {
         gl = webGl(below);
@@ -45,6 +49,11 @@ final class PageSurface {
 
     Layout layout() {
         return layout;
+    }
+
+    /** Where a press means Esc. */
+    Plate wayBack() {
+        return wayBack;
     }
 
     /** Pixels of the screen for each of the page. */
@@ -70,6 +79,7 @@ final class PageSurface {
         Paper.clear();
         painter.begin(layout, begin / 1e9, choice.detail(settings.detail()));
         scene.draw(painter);
+        WayBack.draw(painter, wayBack);
         toast.draw(painter);
         painter.end(dark);
         return System.nanoTime() - begin;
@@ -82,11 +92,27 @@ final class PageSurface {
             size(below, width, height);
             size(above, width, height);
         }
-        Layout lettered =
-                Layout.of(width, height, ratio())
-                        .withText(settings.text().share(), scene.mostType());
-        layout = scene.hasColumns() ? lettered.withColumns() : lettered;
+        Pane pane = new Pane(width, height, ratio(), hidden());
+        layout = pane.layout(scene, settings.text().share());
+        wayBack = WayBack.place(pane, layout, scene);
     }
+
+    /** What notches and round corners hide of the page, in pixels; see {@code #hidden}. */
+    private static Edges hidden() {
+        return new Edges(
+                ratio() * padding("Left"),
+                ratio() * padding("Top"),
+                ratio() * padding("Right"),
+                ratio() * padding("Bottom"));
+    }
+
+    /** The browser alone knows what is hidden, and tells it to style sheets alone. */
+    @JSBody(
+            params = "side",
+            script =
+                    "return parseFloat(getComputedStyle(document.getElementById('hidden'))["
+                            + "'padding' + side]) || 0;")
+    private static native double padding(String side);
 
     private static void size(HTMLCanvasElement canvas, int width, int height) {
         canvas.setWidth(width);

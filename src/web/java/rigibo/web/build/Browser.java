@@ -19,6 +19,11 @@ final class Browser implements PageReader {
 
     private static final int MOST_MINUTES = 10;
 
+    /** How long a browser may take to start. */
+    private static final int MOST_TRIES = 600;
+
+    private static final int TRY_MILLIS = 100;
+
     private final Path program;
 
     private Browser(Path program) {
@@ -55,6 +60,56 @@ final class Browser implements PageReader {
             throw new IOException(program + " did not end within " + MOST_MINUTES + " minutes");
         }
         return Files.readString(page, StandardCharsets.UTF_8);
+    }
+
+    /** Opens an empty page that a program drives, without a window. */
+    Window open() throws IOException, InterruptedException {
+        Path profile = Files.createTempDirectory("rigibo-browser");
+        Process process =
+                new ProcessBuilder(
+                                program.toString(),
+                                "--headless",
+                                "--no-sandbox",
+                                "--enable-unsafe-swiftshader",
+                                "--use-angle=swiftshader",
+                                "--ignore-gpu-blocklist",
+                                "--no-first-run",
+                                "--disable-background-networking",
+                                "--disable-component-update",
+                                "--disable-sync",
+                                "--remote-debugging-port=0",
+                                "--user-data-dir=" + profile,
+                                "about:blank")
+                        .redirectErrorStream(true)
+                        .redirectOutput(profile.resolve("complaints").toFile())
+                        .start();
+        return new Window(process, port(process, profile.resolve("DevToolsActivePort")));
+    }
+
+    /** The browser writes the port that it listens at to a file once it does. */
+    private static int port(Process process, Path file) throws IOException, InterruptedException {
+        for (int tries = 0; tries < MOST_TRIES && process.isAlive(); tries++) {
+            List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of();
+            if (!lines.isEmpty()) {
+                return Integer.parseInt(lines.get(0));
+            }
+            Thread.sleep(TRY_MILLIS);
+        }
+        process.destroyForcibly();
+        throw new IOException("the browser does not listen");
+    }
+
+    /**
+     * A browser that is open.
+     *
+     * @param port at which it is driven
+     */
+    record Window(Process process, int port) implements AutoCloseable {
+
+        @Override
+        public void close() {
+            process.destroy();
+        }
     }
 
     @Override

@@ -8,28 +8,54 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** {@code ./rigibo web}: builds the page; serves it, or compares its bits with the JVM's. */
+/**
+ * {@code ./rigibo web}: builds the page; serves it, compares its bits with the JVM's, or plays it
+ * by touch.
+ */
 final class WebCommand {
 
     private static final int PORT = 8080;
+
+    /** Levels of the first world. */
+    private static final int WORLD = 10;
 
     private WebCommand() {}
 
     public static void main(String[] arguments) throws Exception {
         Path folder = Path.of(arguments[0]);
         List<String> typed = Arrays.asList(arguments).subList(1, arguments.length);
-        if (typed.size() > 1 || !List.of("--serve", "--bits").containsAll(typed)) {
-            System.err.println("web takes --serve or --bits, not " + String.join(" ", typed));
+        List<String> known = List.of("--serve", "--bits", "--touch", "--touch-one");
+        if (typed.size() > 1 || !known.containsAll(typed)) {
+            System.err.println(
+                    "web takes one of "
+                            + String.join(" ", known)
+                            + ", not "
+                            + String.join(" ", typed));
             System.exit(2);
         }
         if (typed.contains("--bits")) {
             System.exit(compare(folder) ? 0 : 1);
+        }
+        if (typed.contains("--touch") || typed.contains("--touch-one")) {
+            System.exit(play(folder, typed.contains("--touch") ? WORLD : 1) ? 0 : 1);
         }
         new PageBuild(folder).build();
         System.out.println(folder + ": any web server can serve it");
         if (typed.contains("--serve")) {
             System.out.println("Here it is at " + new LocalServer(folder, PORT).address(""));
         }
+    }
+
+    /** Plays levels by touch in a page that is made anew. */
+    private static boolean play(Path folder, int levels)
+            throws IOException, InterruptedException, TeaVMToolException {
+        Optional<Browser> browser = Browser.find();
+        if (browser.isEmpty()) {
+            System.out.println("There is no Chromium here: nothing is played.");
+            return true;
+        }
+        new PageBuild(folder).build();
+        return PhoneCheck.play(browser.get(), folder, levels);
     }
 
     private static boolean compare(Path folder)

@@ -3,7 +3,9 @@ package rigibo.frontend.puzzle.hud;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
 import java.util.List;
@@ -13,56 +15,54 @@ import java.util.Optional;
 final class ButtonRow {
 
     static final double HEIGHT = 36;
-    private static final double GAP = 8;
+    static final double GAP = 8;
     private static final double SIZE = 17;
     private static final int NONE = -1;
 
-    private final double left;
-    private final double top;
-    private final double width;
+    private final Grid grid;
     private final List<Command> commands;
     private int chosen;
 
     /** Buttons of equal width from (left, top), px. */
     ButtonRow(double left, double top, double width, List<Command> commands) {
-        this.left = left;
-        this.top = top;
-        this.width = (width - (commands.size() - 1) * GAP) / commands.size();
+        this(Grid.of(new Plate(left, top, width, HEIGHT), commands.size(), GAP), commands);
+    }
+
+    /** Buttons at the places of a grid. */
+    ButtonRow(Grid grid, List<Command> commands) {
+        this.grid = grid;
         this.commands = List.copyOf(commands);
     }
 
     void draw(Canvas canvas, Words words) {
         for (int i = 0; i < commands.size(); i++) {
-            double x = left + i * (width + GAP);
+            Plate at = grid.place(i);
             boolean isChosen = i == chosen;
             Color plate = isChosen ? Color.BRASS : Color.PANEL_LIT;
-            canvas.panel(x, top, width, HEIGHT, 10, plate);
+            canvas.panel(at.x(), at.y(), at.width(), at.height(), 10, plate);
             Color ink = isChosen ? Color.DUSK_TOP : Color.TEXT;
+            double middle = at.y() + at.height() / 2;
             Print.centred(
-                    canvas, label(canvas, words, i), x + width / 2, top + HEIGHT / 2, SIZE, ink);
+                    canvas, label(canvas, words, i), at.x() + at.width() / 2, middle, SIZE, ink);
         }
     }
 
     /** As much of a button's words as fits, should the key in them have a long name. */
     private String label(Canvas canvas, Words words, int button) {
-        String all = commands.get(button).words(words);
-        return Lines.shortened(canvas, all, SIZE, Canvas.Font.WORDS, width);
+        Command command = commands.get(button);
+        String all = canvas.layout().isInHand() ? command.shortWords(words) : command.words(words);
+        return Lines.shortened(canvas, all, SIZE, Canvas.Font.WORDS, grid.first().width());
     }
 
     /** Chooses the button under a point, if there is one. */
     Optional<Command> point(double x, double y) {
-        int under = (int) Math.floor((x - left) / (width + GAP));
-        boolean isOn =
-                under >= 0
-                        && under < commands.size()
-                        && x - left - under * (width + GAP) <= width
-                        && y >= top
-                        && y <= top + HEIGHT;
-        if (!isOn) {
-            return Optional.empty();
+        for (int i = 0; i < commands.size(); i++) {
+            if (grid.place(i).contains(x, y)) {
+                chosen = i;
+                return Optional.of(commands.get(i));
+            }
         }
-        chosen = under;
-        return Optional.of(commands.get(under));
+        return Optional.empty();
     }
 
     /**

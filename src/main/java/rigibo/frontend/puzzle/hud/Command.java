@@ -34,6 +34,14 @@ public enum Command {
         return words.of("puzzle.command." + key(this));
     }
 
+    /** The label of its button where there are no keys. */
+    String shortWords(Words words) {
+        return switch (this) {
+            case SLOWER, COPY, SOLUTION, REPLAY -> words.of("puzzle.short." + key(this));
+            default -> words(words);
+        };
+    }
+
     /** Its key, if it has one. */
     String keyWords(Words words) {
         return words.of("puzzle.key." + key(this));

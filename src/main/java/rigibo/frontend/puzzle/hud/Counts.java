@@ -5,6 +5,7 @@ import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
@@ -78,14 +79,17 @@ final class Counts {
                         limits.par() + 1,
                         limits.cooldown(),
                         limits.hold());
-        List<String> lines = Lines.of(canvas, told, SIZE, Canvas.Font.WORDS, WIDTH - 2 * PADDING);
-        double left = Scene.WIDTH - EDGE - WIDTH;
+        Layout layout = canvas.layout();
+        double width = layout.lettered(WIDTH);
+        double pitch = layout.lettered(LINE);
+        List<String> lines = Lines.of(canvas, told, SIZE, Canvas.Font.WORDS, width - 2 * PADDING);
+        double left = Scene.WIDTH - EDGE - width;
         double top = View.BAR_FOOT + 4;
-        canvas.panel(left, top, WIDTH, lines.size() * LINE + PADDING, 12, Color.NIGHT);
-        double y = top + PADDING / 2 + LINE / 2;
+        canvas.panel(left, top, width, lines.size() * pitch + PADDING, 12, Color.NIGHT);
+        double y = top + PADDING / 2 + pitch / 2;
         for (String line : lines) {
             Print.left(canvas, line, left + PADDING, y, SIZE, Color.TEXT);
-            y += LINE;
+            y += pitch;
         }
     }
 }

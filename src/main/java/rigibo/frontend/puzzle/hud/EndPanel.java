@@ -3,13 +3,16 @@ package rigibo.frontend.puzzle.hud;
 import rigibo.frontend.puzzle.rules.Loss;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
-import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Grid;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Sign;
 
 import java.util.ArrayList;
@@ -41,12 +44,19 @@ final class EndPanel {
     /** Height of the line that states a star. */
     private static final double STATEMENT = 34;
 
+    /** Room that two lines of larger text need in a hand, px. */
+    private static final double MORE = 70;
+
+    /** Between two lines, px. */
+    private static final double LINE = 22;
+
     private final PuzzleGame game;
     private final List<Command> ways;
     private final Optional<MedalStamps> stamps;
     private final Optional<StarStamp> star;
-    private final double height;
+    private double height;
     private double top;
+    private Layout layout = Layout.ALONE;
     private ButtonRow buttons;
 
     /**
@@ -64,14 +74,16 @@ final class EndPanel {
                         ? Optional.of(new MedalStamps(Medal.of(game.clicks(), par), par))
                         : Optional.empty();
         ways = ways(hasNext, exit);
-        height = buttonsBelow() + ButtonRow.HEIGHT + PADDING;
+        place(layout, 0, Scene.HEIGHT, Scene.HEIGHT);
     }
 
     /** Distance from the panel's upper edge to its buttons, px. */
     private double buttonsBelow() {
         double statement = star.isPresent() ? STATEMENT : 0;
         double tip = isTimed() ? TIP : 0;
-        return stamps.isPresent() ? MEDALS + 60 + statement : REASON + 24 + tip;
+        double below = stamps.isPresent() ? MEDALS + 60 + statement : REASON + 24 + tip;
+        boolean hasMore = stamps.isPresent() ? star.isPresent() : isTimed();
+        return layout.isInHand() && hasMore ? below + MORE : below;
     }
 
     /** Whether the time between clicks may have lost it, which a pause gives back. */
@@ -82,14 +94,25 @@ final class EndPanel {
     /**
      * Places the panel where the play begins, or above the keys if it would cover a ball.
      *
+     * @param shown what the window shows
      * @param foot where the play begins, px
+     * @param floor where the keys begin, px
      * @param highestBall on the screen, px
      */
-    void place(double foot, double highestBall) {
+    void place(Layout shown, double foot, double floor, double highestBall) {
+        layout = shown;
+        Grid grid = grid();
+        height = buttonsBelow() + grid.height(ways.size()) + PADDING;
         boolean isInTheWay = highestBall < foot + height + 2 * GAP;
-        top = isInTheWay ? View.KEYS_TOP - GAP - height : foot + GAP;
-        double inner = WIDTH - 2 * PADDING;
-        buttons = new ButtonRow(LEFT + PADDING, top + buttonsBelow(), inner, ways);
+        top = isInTheWay ? floor - GAP - height : foot + GAP;
+        buttons = new ButtonRow(grid(), ways);
+    }
+
+    /** Side by side; in a hand two and two. */
+    private Grid grid() {
+        double height = layout.clickable(ButtonRow.HEIGHT);
+        Plate row = new Plate(LEFT + PADDING, top + buttonsBelow(), WIDTH - 2 * PADDING, height);
+        return Grid.of(row, layout.isInHand() ? 2 : ways.size(), ButtonRow.GAP);
     }
 
     boolean isOf(PuzzleGame other) {
@@ -136,10 +159,19 @@ final class EndPanel {
         } else {
             text(canvas, words.of(reason()), top + REASON, 20, Color.TEXT);
             if (isTimed()) {
-                text(canvas, words.of("puzzle.loss.pause"), top + REASON + TIP, 17, Color.BRASS);
+                drawTip(canvas, words);
             }
         }
         buttons.draw(canvas, words);
+    }
+
+    private void drawTip(Canvas canvas, Words words) {
+        if (layout.isInHand()) {
+            double y = top + REASON + layout.lettered(TIP);
+            lines(canvas, words.of("puzzle.short.pause"), y);
+        } else {
+            text(canvas, words.of("puzzle.loss.pause"), top + REASON + TIP, 17, Color.BRASS);
+        }
     }
 
     /** Draws the medals, and the star as one more beside them. */
@@ -151,12 +183,12 @@ final class EndPanel {
             double x = MIDDLE - aside + 2 * MedalStamps.COLUMN;
             star.get().draw(canvas, words, x, y, motion);
             double line = y + MedalStamps.WORDS_BELOW + STATEMENT - 4;
-            text(
-                    canvas,
-                    star.get().statement(canvas, words, WIDTH - 2 * PADDING),
-                    line,
-                    17,
-                    Color.BRASS);
+            if (layout.isInHand()) {
+                lines(canvas, star.get().statement(words), line + STATEMENT / 3);
+            } else {
+                double room = WIDTH - 2 * PADDING;
+                text(canvas, star.get().statement(canvas, words, room), line, 17, Color.BRASS);
+            }
         }
     }
 
@@ -179,6 +211,15 @@ final class EndPanel {
             Sign.tick(canvas, x, y, 7, 3, color);
         } else {
             Sign.cross(canvas, x, y, 6, 3, color);
+        }
+    }
+
+    /** Lines of small text below each other, the first of them at a height, px. */
+    private static void lines(Canvas canvas, String words, double y) {
+        double at = y;
+        for (String line : Lines.of(canvas, words, 17, Canvas.Font.WORDS, WIDTH - 2 * PADDING)) {
+            text(canvas, line, at, 17, Color.BRASS);
+            at += canvas.layout().lettered(LINE);
         }
     }
 

@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
@@ -52,7 +53,7 @@ final class HintPlate {
         if (!there.equals(button)) {
             button = there;
             List<Command> commands = List.of(Command.SOLUTION);
-            buttons = new ButtonRow(button.x(), button.y(), button.width(), commands);
+            buttons = new ButtonRow(Grid.of(button, commands.size(), 0), commands);
         }
     }
 
@@ -79,6 +80,24 @@ final class HintPlate {
         draw(canvas, words, first + 6, lines, first);
     }
 
+    /** Draws it in a hand, with the button below the hint: its place has a width and no height. */
+    void drawInHand(Canvas canvas, Words words, Plate there) {
+        double line = canvas.layout().lettered(LINE);
+        double button = canvas.layout().clickable(ButtonRow.HEIGHT);
+        List<String> lines = lines(canvas, there.width() - INDENT - 10);
+        double below = there.y() + 10 + lines.size() * line + 8;
+        put(new Plate(there.x() + 10, below, there.width() - 20, button));
+        double bottom = hasSolution ? below + button + 10 : below;
+        place = new Plate(there.x(), there.y(), there.width(), bottom - there.y());
+        double first = there.y() + 10 + line / 2;
+        draw(canvas, words, first + 6, lines, first);
+    }
+
+    /** Where the play begins below the plate as it was last drawn, or below its bar, px. */
+    double foot(double bar) {
+        return Math.max(bar, place.bottom());
+    }
+
     private List<String> lines(Canvas canvas, double width) {
         return Lines.of(canvas, hint, SIZE, Canvas.Font.WORDS, width);
     }
@@ -88,7 +107,7 @@ final class HintPlate {
         canvas.panel(place.x(), place.y(), place.width(), place.height(), 14, Color.PANEL);
         drawBulb(canvas, place.x() + 28, bulb);
         for (int i = 0; i < lines.size(); i++) {
-            double y = firstLine + i * LINE;
+            double y = firstLine + i * canvas.layout().lettered(LINE);
             Print.left(canvas, lines.get(i), place.x() + INDENT, y, SIZE, Color.TEXT);
         }
         if (hasSolution) {

@@ -16,6 +16,7 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Badge;
+import rigibo.frontend.scene.widget.Plate;
 
 import java.util.List;
 import java.util.Optional;
@@ -45,9 +46,13 @@ final class Hud {
     private final Lesson lesson;
 
     private final Counts counts;
+    private final HandBar handBar;
 
     /** Left edge of the counts as they were last drawn, px. */
     private double countsLeft = Scene.WIDTH;
+
+    /** Where the bar is in a hand. */
+    private Plate inHand = Plate.NONE;
 
     private boolean isAsked;
 
@@ -58,6 +63,7 @@ final class Hud {
         this.level = level;
         this.lesson = lesson;
         counts = new Counts(level.limits());
+        handBar = new HandBar(level);
     }
 
     void paced(double share) {
@@ -105,6 +111,22 @@ final class Hud {
         drawBetween(canvas, what, BUTTONS_LEFT + BUTTON_WIDTH + GAP, right);
     }
 
+    /** Draws the bar of a window in a hand, whatever goes on. */
+    void drawInHand(
+            Canvas canvas,
+            Plate bar,
+            Words words,
+            Session session,
+            Refusal refusal,
+            Motion motion) {
+        inHand = bar;
+        Optional<String> said =
+                session.isShowing()
+                        ? Optional.of(words.of("puzzle.show." + key(session.hand())))
+                        : state(words, session, refusal);
+        handBar.draw(canvas, bar, words, session.game(), said, refusal, motion);
+    }
+
     /** Draws words between two positions of the bar, if they fit. */
     private static void drawBetween(Canvas canvas, String state, double left, double right) {
         double width = canvas.textWidth(state, WORDS_SIZE, Canvas.Font.WORDS);
@@ -141,7 +163,14 @@ final class Hud {
     }
 
     void pointerMoved(double x, double y) {
-        isAsked = x >= countsLeft && x <= Scene.WIDTH - EDGE && y >= EDGE && y <= View.BAR_FOOT;
+        boolean isOnCounts =
+                x >= countsLeft && x <= Scene.WIDTH - EDGE && y >= EDGE && y <= View.BAR_FOOT;
+        isAsked = inHand == Plate.NONE ? isOnCounts : inHand.contains(x, y);
+    }
+
+    /** Whether a point lies on the bar of a window in a hand. */
+    boolean contains(double x, double y) {
+        return inHand.contains(x, y);
     }
 
     /** The state of the game; of several messages only the most urgent one. */

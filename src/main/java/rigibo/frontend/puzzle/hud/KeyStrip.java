@@ -5,6 +5,9 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Grid;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
 import java.util.ArrayList;
@@ -26,13 +29,39 @@ final class KeyStrip {
     /** Positions of the buttons in the last frame; their widths depend on their words. */
     private final List<Place> places = new ArrayList<>();
 
+    /** Lower edge of the last row, px. */
+    private double foot = TOP + HEIGHT;
+
     private double pointerX = -1;
     private double pointerY = -1;
 
     /** A button on the screen, px. */
-    private record Place(Command command, double left, double right) {
-        boolean contains(double x, double y) {
-            return x >= left && x <= right && y >= TOP;
+    private record Place(Command command, Plate plate) {}
+
+    /** Whether a point is on a button; what is below the last row is on that, to be hit blindly. */
+    private boolean isOn(Place place, double x, double y) {
+        return place.plate.contains(x, Math.min(y, foot));
+    }
+
+    /** Draws commands as large buttons, without their keys. */
+    void drawInHand(
+            Canvas canvas, Words words, List<Command> commands, List<Command> lit, Grid grid) {
+        places.clear();
+        foot = grid.place(commands.size() - 1).bottom();
+        for (Command command : commands) {
+            Place place = new Place(command, grid.place(places.size()));
+            places.add(place);
+            Plate at = place.plate;
+            Color ink = drawPlate(canvas, place, lit.contains(command), 12);
+            String label =
+                    Lines.shortened(
+                            canvas,
+                            command.shortWords(words),
+                            SIZE,
+                            Canvas.Font.WORDS,
+                            at.width() - PADDING);
+            double middle = at.y() + at.height() / 2;
+            Print.centred(canvas, label, at.x() + at.width() / 2, middle, SIZE, ink);
         }
     }
 
@@ -48,10 +77,11 @@ final class KeyStrip {
         double gap = gap(canvas, words, commands, bare);
         double left = gap;
         places.clear();
+        foot = TOP + HEIGHT;
         for (int i = 0; i < commands.size(); i++) {
             Command command = commands.get(i);
             double width = width(canvas, words, command, i < bare);
-            Place place = new Place(command, left, left + width);
+            Place place = new Place(command, new Plate(left, TOP, width, HEIGHT));
             places.add(place);
             draw(canvas, words, place, lit.contains(command), i < bare);
             left += width + gap;
@@ -74,18 +104,24 @@ final class KeyStrip {
     }
 
     private void draw(Canvas canvas, Words words, Place place, boolean isLit, boolean isBare) {
-        boolean isHot = place.contains(pointerX, pointerY);
-        Color plate = isLit ? Color.BRASS : isHot ? Color.EDGE : Color.PANEL_LIT;
-        canvas.panel(place.left, TOP, place.right - place.left, HEIGHT, 8, plate);
-        Color ink = isLit ? Color.DUSK_TOP : Color.TEXT;
+        Color ink = drawPlate(canvas, place, isLit, 8);
         String key = place.command.keyWords(words);
-        double x = place.left + PADDING;
-        Color keyInk = isLit || isHot ? ink : Color.BRASS;
+        double x = place.plate.x() + PADDING;
+        Color keyInk = isLit || isOn(place, pointerX, pointerY) ? ink : Color.BRASS;
         Print.left(canvas, key, x, TOP + HEIGHT / 2, SIZE, keyInk);
         if (!isBare) {
             x += canvas.textWidth(key, SIZE, Canvas.Font.WORDS) + BETWEEN;
             Print.left(canvas, place.command.words(words), x, TOP + HEIGHT / 2, SIZE, ink);
         }
+    }
+
+    /** Draws what is below the words of a button; returns the colour that they have on it. */
+    private Color drawPlate(Canvas canvas, Place place, boolean isLit, double corner) {
+        boolean isHot = isOn(place, pointerX, pointerY);
+        Plate at = place.plate;
+        Color plate = isLit ? Color.BRASS : isHot ? Color.EDGE : Color.PANEL_LIT;
+        canvas.panel(at.x(), at.y(), at.width(), at.height(), corner, plate);
+        return isLit ? Color.DUSK_TOP : Color.TEXT;
     }
 
     void pointerMoved(double x, double y) {
@@ -100,9 +136,6 @@ final class KeyStrip {
 
     /** The button at a point. */
     Optional<Command> at(double x, double y) {
-        return places.stream()
-                .filter(place -> place.contains(x, y))
-                .map(Place::command)
-                .findFirst();
+        return places.stream().filter(place -> isOn(place, x, y)).map(Place::command).findFirst();
     }
 }

@@ -56,7 +56,8 @@ final class MedalStamps {
             if (isStamped) {
                 draw(canvas, medal, column, y, RADIUS * scale(age, motion));
             }
-            String what = words.of("puzzle.medal." + Command.key(medal), par, par + 1);
+            String kind = canvas.layout().isInHand() ? "puzzle.short." : "puzzle.medal.";
+            String what = words.of(kind + Command.key(medal), par, par + 1);
             Color ink = isStamped ? Color.TEXT : Color.TEXT_DIM;
             canvas.text(
                     what, column, y + WORDS_BELOW, 16, Canvas.Font.WORDS, Canvas.Align.CENTRE, ink);

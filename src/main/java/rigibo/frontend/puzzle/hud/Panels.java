@@ -25,6 +25,9 @@ import java.util.Set;
  */
 public final class Panels {
 
+    /** Commands that a window in a hand has at most. */
+    private static final int MOST_IN_HAND = 8;
+
     private final Session session;
     private final View view;
     private final Words words;
@@ -80,6 +83,9 @@ public final class Panels {
 
     /** Upper edge of the play, px: what opens beside it takes nothing from it. */
     private double foot() {
+        if (layout.isInHand() && layout.isUpright() && open == Drawer.HINT) {
+            return hint.foot(View.BAR_FOOT);
+        }
         if (isBeside()) {
             return View.BAR_FOOT;
         }
@@ -92,14 +98,15 @@ public final class Panels {
 
     /** Whether the window has room for what opens beside the play. */
     private boolean isBeside() {
-        return layout.columns() == 2;
+        return layout.columns() == 2 || layout.isInHand();
     }
 
     /** Takes what the window shows, before the play is drawn: that may be larger beside panels. */
     public void layOut(Layout shown) {
         double before = foot();
+        boolean isTurned = shown.isInHand() != layout.isInHand();
         layout = shown;
-        if (foot() != before) {
+        if (foot() != before || isTurned) {
             fit();
         }
     }
@@ -111,7 +118,12 @@ public final class Panels {
                         .filter(y -> y > foot())
                         .min()
                         .orElse(Scene.HEIGHT);
-        panel.place(foot(), highest);
+        if (layout.isInHand() && layout.isUpright()) {
+            HandPlaces places = HandPlaces.of(layout, MOST_IN_HAND);
+            panel.place(layout, places.bar().bottom(), places.keys().first().y(), highest);
+        } else {
+            panel.place(layout, foot(), View.KEYS_TOP, highest);
+        }
     }
 
     public void shut() {
@@ -151,6 +163,9 @@ public final class Panels {
 
     /** The buttons among which keys now select, if there are any. */
     private Optional<ButtonRow> buttons() {
+        if (layout.isInHand()) {
+            return end().map(EndPanel::buttons);
+        }
         if (session.isShowing()) {
             return Optional.of(stop);
         }
@@ -188,6 +203,10 @@ public final class Panels {
      * @param offered commands that are not there in every frame, in their order
      */
     public void draw(Canvas canvas, Refusal refusal, Set<Command> offered, Motion motion) {
+        if (layout.isInHand()) {
+            drawInHand(canvas, refusal, offered, motion);
+            return;
+        }
         if (session.isShowing()) {
             canvas.frame(3, 3, Scene.WIDTH - 6, Scene.HEIGHT - 6, 12, Color.BRASS);
             hud.drawShow(canvas, words, session, stop, motion);
@@ -199,6 +218,19 @@ public final class Panels {
         drawDrawer(canvas);
         session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, foot()));
         keys.draw(canvas, words, commands(offered), lit());
+        end().ifPresent(panel -> panel.draw(canvas, words, motion));
+        hud.drawHelp(canvas, words);
+    }
+
+    private void drawInHand(Canvas canvas, Refusal refusal, Set<Command> offered, Motion motion) {
+        List<Command> commands = commandsInHand(offered);
+        HandPlaces places = HandPlaces.of(layout, commands.size());
+        hud.drawInHand(canvas, places.bar(), words, session, refusal, motion);
+        if (open == Drawer.HINT) {
+            hint.drawInHand(canvas, words, places.hint());
+        }
+        session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, foot()));
+        keys.drawInHand(canvas, words, commands, lit(), places.keys());
         end().ifPresent(panel -> panel.draw(canvas, words, motion));
         hud.drawHelp(canvas, words);
     }
@@ -240,10 +272,29 @@ public final class Panels {
         return commands;
     }
 
+    /** Fingers have no keys, so that the ways out are among the buttons. */
+    private List<Command> commandsInHand(Set<Command> offered) {
+        if (session.isShowing()) {
+            return List.of(Command.PAUSE, Command.SLOWER, Command.STOP);
+        }
+        List<Command> commands = new ArrayList<>(List.of(Command.RESTART, Command.UNDO));
+        commands.add(
+                session.game().isSolved()
+                        ? Command.COPY
+                        : session.isPaused() ? Command.RESUME : Command.PAUSE);
+        if (!session.game().isSolved()) {
+            commands.add(Command.SLOWER);
+        }
+        commands.addAll(offered);
+        commands.addAll(exits);
+        return commands;
+    }
+
     private List<Command> lit() {
         List<Command> lit = new ArrayList<>();
         if (session.isPaused()) {
             lit.add(Command.PAUSE);
+            lit.add(Command.RESUME);
         }
         if (session.pace() != Pace.FULL) {
             lit.add(Command.SLOWER);
@@ -271,6 +322,12 @@ public final class Panels {
 
     /** Whether a point lies on a panel, so that a click there does not go to the play. */
     public boolean cover(double x, double y) {
+        if (layout.isInHand()) {
+            return hud.contains(x, y)
+                    || open == Drawer.HINT && hint.contains(x, y)
+                    || keys.at(x, y).isPresent()
+                    || end().filter(p -> p.contains(x, y)).isPresent();
+        }
         return y < foot()
                 || isOnDrawer(x, y)
                 || KeyStrip.contains(y)

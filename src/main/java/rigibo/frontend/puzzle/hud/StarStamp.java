@@ -54,7 +54,8 @@ final class StarStamp {
             text(canvas, "?", x, y + 2, 20, Color.TEXT_DIM);
         }
         Color ink = isSeen() ? Color.TEXT : Color.TEXT_DIM;
-        text(canvas, words.of("puzzle.star"), x, y + MedalStamps.WORDS_BELOW, 16, ink);
+        String name = words.of(canvas.layout().isInHand() ? "puzzle.short.star" : "puzzle.star");
+        text(canvas, name, x, y + MedalStamps.WORDS_BELOW, 16, ink);
     }
 
     private static void text(
@@ -64,7 +65,11 @@ final class StarStamp {
 
     /** What it takes, as far as the player may know, within a width, px. */
     String statement(Canvas canvas, Words words, double width) {
-        String whole = isSeen() ? text : words.of("puzzle.star.hidden");
-        return Lines.shortened(canvas, whole, 17, Canvas.Font.WORDS, width);
+        return Lines.shortened(canvas, statement(words), 17, Canvas.Font.WORDS, width);
+    }
+
+    /** What it takes, as far as the player may know. */
+    String statement(Words words) {
+        return isSeen() ? text : words.of("puzzle.star.hidden");
     }
 }

@@ -34,16 +34,17 @@ final class VerdictPlate {
         String said = verdict.in(words);
         List<String> lines = Lines.of(canvas, said, SIZE, Canvas.Font.WORDS, WIDTH - ICON - GAP);
         double top = foot + 6;
-        double height = lines.size() * LINE + 16;
+        double line = canvas.layout().lettered(LINE);
+        double height = lines.size() * line + 16;
         Color color = verdict.isSame() ? Color.GOOD : Color.BAD;
         canvas.panel(EDGE, top, WIDTH, height, 14, Color.PANEL);
         canvas.frame(EDGE, top, WIDTH, height, 14, color);
         drawIcon(canvas, EDGE + 26, top + height / 2, verdict.isSame(), color);
-        double y = top + 8 + LINE / 2;
-        for (String line : lines) {
+        double y = top + 8 + line / 2;
+        for (String part : lines) {
             double left = EDGE + ICON;
-            canvas.text(line, left, y, SIZE, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
-            y += LINE;
+            canvas.text(part, left, y, SIZE, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
+            y += line;
         }
     }
 

@@ -35,7 +35,11 @@ public final class Table {
     private final HoldRing ring;
     private final Refusal refusal = new Refusal();
     private final Spectacle spectacle;
+    private final Lens lens;
     private ShownPointer shownPointer;
+
+    /** Whether a finger is choosing. */
+    private boolean isChoosing;
 
     /** The game that was on the screen in the last frame. */
     private PuzzleGame seen;
@@ -49,6 +53,7 @@ public final class Table {
         stage = new Stage(session, camera);
         spectacle = new Spectacle(session);
         cursor = new Cursor(camera);
+        lens = new Lens(session, camera);
         ring = new HoldRing(seen.level().limits().hold());
         shownPointer = new ShownPointer(camera);
     }
@@ -140,6 +145,9 @@ public final class Table {
                     canvas, cursor.x(game), cursor.y(game), game, refusal, motion);
         }
         refusal.draw(canvas);
+        if (isChoosing && !session.isShowing()) {
+            lens.draw(canvas, cursor.x(game), cursor.y(game), cursor.under(game));
+        }
     }
 
     /** Draws what a click would do at the pointer; what keys selected shows it itself. */
@@ -227,6 +235,11 @@ public final class Table {
 
     public void point(double x, double y) {
         cursor.point(x, y);
+    }
+
+    /** A finger begins or ends to choose. */
+    public void choosing(boolean begins) {
+        isChoosing = begins;
     }
 
     public void letGo() {

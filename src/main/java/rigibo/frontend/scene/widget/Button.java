@@ -13,11 +13,12 @@ public record Button(String words, Runnable action) implements Widget {
 
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
-        canvas.panel(x, y + 2, width, ROW - 4, 7, Color.PANEL_LIT);
+        double row = Widget.row(canvas.layout());
+        canvas.panel(x, y + 2, width, row - 4, 7, Color.PANEL_LIT);
         canvas.text(
                 words,
                 x + width / 2,
-                y + ROW / 2,
+                y + row / 2,
                 16,
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,

@@ -27,13 +27,14 @@ public record Choice(String words, List<String> options, IntSupplier value, IntC
 
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
-        double middle = y + ROW / 2;
+        double row = Widget.row(canvas.layout());
+        double middle = y + row / 2;
         Color ink = isHot ? Color.TEXT : Color.TEXT_DIM;
-        canvas.text(words, x, middle, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
         double centre = x + MIDDLE * width;
         double right = x + width;
         double left = 2 * centre - right;
-        canvas.panel(left, y + 2, right - left, ROW - 4, 7, Color.PANEL_LIT);
+        Print.label(canvas, words, x, middle, left - x, ink);
+        canvas.panel(left, y + 2, right - left, row - 4, 7, Color.PANEL_LIT);
         canvas.text(
                 options.get(value.getAsInt()),
                 centre,

@@ -3,6 +3,7 @@ package rigibo.frontend.scene.widget;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 
 import java.util.List;
 
@@ -21,6 +22,11 @@ public final class Panel {
     private int hot = NOTHING;
     private int dragged = NOTHING;
 
+    /** Height of a row as it was last drawn, px, and how many columns they stand in. */
+    private double row = Widget.ROW;
+
+    private int columns = 1;
+
     /** A panel with its upper left corner at (x, y), px. */
     public Panel(double x, double y, double width, List<Widget> widgets) {
         this.x = x;
@@ -34,6 +40,8 @@ public final class Panel {
         Panel panel = new Panel(x, y, width, others);
         panel.hot = hot;
         panel.dragged = dragged;
+        panel.row = row;
+        panel.columns = columns;
         return panel;
     }
 
@@ -46,19 +54,40 @@ public final class Panel {
 
     /** Height with its padding, px. */
     public double height() {
-        return widgets.size() * Widget.ROW + 2 * PADDING;
+        return rows() * row + 2 * PADDING;
     }
 
-    /** Draws the plate and its rows. */
+    private int rows() {
+        return (widgets.size() + columns - 1) / columns;
+    }
+
+    /** Draws the plate and its rows; in a hand in two columns where one is too high. */
     public void draw(Canvas canvas) {
+        Layout layout = canvas.layout();
+        row = Widget.row(layout);
+        columns = 1;
+        if (layout.isInHand() && y + height() > layout.seenBottom()) {
+            columns = 2;
+        }
         canvas.panel(x, y, width, height(), 12, Color.PANEL);
         for (int i = 0; i < widgets.size(); i++) {
-            double top = y + PADDING + i * Widget.ROW;
-            widgets.get(i).draw(canvas, x + PADDING, top, width - 2 * PADDING, i == hot);
+            Plate place = place(i);
+            widgets.get(i).draw(canvas, place.x(), place.y(), place.width(), i == hot);
             if (i == hot) {
-                canvas.frame(x + 4, top - 1, width - 8, Widget.ROW + 2, 9, Color.BRASS);
+                canvas.frame(
+                        place.x() - 8, place.y() - 1, place.width() + 16, row + 2, 9, Color.BRASS);
             }
         }
+    }
+
+    /** Where a widget is: they follow each other downwards. */
+    private Plate place(int widget) {
+        double wide = (width - (columns + 1) * PADDING) / columns;
+        return new Plate(
+                x + PADDING + widget / rows() * (wide + PADDING),
+                y + PADDING + widget % rows() * row,
+                wide,
+                row);
     }
 
     /** Whether a point lies on the plate. */
@@ -69,7 +98,7 @@ public final class Panel {
     /** The pointer moved; drags what is held. */
     public void pointerMoved(double px, double py) {
         if (dragged != NOTHING) {
-            widgets.get(dragged).press(share(px));
+            widgets.get(dragged).press(share(dragged, px));
             return;
         }
         int row = rowAt(px, py);
@@ -82,7 +111,7 @@ public final class Panel {
         if (hot != NOTHING) {
             // First, for the press may put another panel in this one's place.
             dragged = widgets.get(hot).isDragged() ? hot : NOTHING;
-            widgets.get(hot).press(share(px));
+            widgets.get(hot).press(share(hot, px));
         }
         return contains(px, py);
     }
@@ -119,14 +148,24 @@ public final class Panel {
     }
 
     private int rowAt(double px, double py) {
-        if (!contains(px, py)) {
-            return NOTHING;
+        for (int i = 0; i < widgets.size(); i++) {
+            Plate place = place(i);
+            boolean isBeside = columns == 1 || px >= place.x() - PADDING / 2;
+            boolean isOn =
+                    isBeside
+                            && px <= place.right() + PADDING
+                            && py >= place.y()
+                            && py < place.bottom();
+            if (isOn && contains(px, py)) {
+                return i;
+            }
         }
-        int row = (int) Math.floor((py - y - PADDING) / Widget.ROW);
-        return row >= 0 && row < widgets.size() ? row : NOTHING;
+        return NOTHING;
     }
 
-    private double share(double px) {
-        return Math.max(0, Math.min(1, (px - x - PADDING) / (width - 2 * PADDING)));
+    /** Where an x is on a widget, 0 to 1. */
+    private double share(int widget, double px) {
+        Plate place = place(widget);
+        return Math.max(0, Math.min(1, (px - place.x()) / place.width()));
     }
 }

@@ -3,8 +3,13 @@ package rigibo.frontend.scene.widget;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
+import java.util.List;
+
 /** Text of a size in px, centred on a point of the screen or beside it. */
 public final class Print {
+
+    /** Between two lines of small text, px. */
+    private static final double LINE = 20;
 
     private Print() {}
 
@@ -24,6 +29,21 @@ public final class Print {
     public static void right(
             Canvas canvas, String words, double x, double y, double size, Color color) {
         canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.RIGHT, color);
+    }
+
+    /** The label of a control, with its left end and its middle at a point; in a hand it wraps. */
+    static void label(Canvas canvas, String words, double x, double y, double width, Color color) {
+        if (!canvas.layout().isInHand()) {
+            left(canvas, words, x, y, 16, color);
+            return;
+        }
+        List<String> lines = Lines.of(canvas, words, 16, Canvas.Font.WORDS, width);
+        double pitch = canvas.layout().lettered(LINE);
+        double middle = y - (lines.size() - 1) * pitch / 2;
+        for (String line : lines) {
+            left(canvas, line, x, middle, 16, color);
+            middle += pitch;
+        }
     }
 
     /** A button's plate with its word in the middle. */

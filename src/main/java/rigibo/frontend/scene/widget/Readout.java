@@ -15,7 +15,7 @@ public record Readout(String words, Supplier<String> value) implements Widget {
 
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
-        double middle = y + ROW / 2;
+        double middle = y + Widget.row(canvas.layout()) / 2;
         canvas.text(words, x, middle, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT_DIM);
         canvas.text(
                 value.get(),

@@ -27,22 +27,31 @@ public record Slider(
         DoubleConsumer change)
         implements Widget {
 
+    /** The middles of words and rail, as shares of a row. */
+    private static final double WORDS = 11 / ROW;
+
+    private static final double RAIL = 25 / ROW;
+
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
         double share = (value.getAsDouble() - least) / (most - least);
+        double row = Widget.row(canvas.layout());
+        double words = y + row * WORDS;
         Color ink = isHot ? Color.TEXT : Color.TEXT_DIM;
-        canvas.text(words, x, y + 11, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
+        canvas.text(this.words, x, words, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
         canvas.text(
                 String.format(java.util.Locale.ROOT, format, value.getAsDouble()),
                 x + width,
-                y + 11,
+                words,
                 16,
                 Canvas.Font.NUMBERS,
                 Canvas.Align.RIGHT,
                 Color.TEXT);
-        canvas.panel(x, y + ROW - 7, width, 4, 2, Color.PANEL_LIT);
-        canvas.panel(x, y + ROW - 7, Math.max(4, width * share), 4, 2, Color.BRASS);
-        canvas.disc(x + width * share, y + ROW - 5, isHot ? 7 : 6, Color.BRASS);
+        double rail = y + row * RAIL;
+        double knob = canvas.layout().lettered(isHot ? 7 : 6);
+        canvas.panel(x, rail - 2, width, 4, 2, Color.PANEL_LIT);
+        canvas.panel(x, rail - 2, Math.max(4, width * share), 4, 2, Color.BRASS);
+        canvas.disc(x + width * share, rail, knob, Color.BRASS);
     }
 
     @Override

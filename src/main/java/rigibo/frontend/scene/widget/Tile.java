@@ -21,6 +21,11 @@ public record Tile(double x, double y, double width, double height, Look look, R
         void draw(Canvas canvas, Tile tile, boolean isChosen);
     }
 
+    /** An option at a place. */
+    public static Tile at(Plate place, Look look, Runnable action) {
+        return new Tile(place.x(), place.y(), place.width(), place.height(), look, action);
+    }
+
     /** The middle, px. */
     public double middleX() {
         return x + width / 2;

@@ -3,6 +3,7 @@ package rigibo.frontend.scene.widget;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
 
 /** A scene whose pointer and keys go to its tiles; one that does more with them says so itself. */
 public interface TiledScene extends Scene {
@@ -13,6 +14,11 @@ public interface TiledScene extends Scene {
     @Override
     default void pointerMoved(double x, double y) {
         tiles().pointerMoved(x, y);
+    }
+
+    @Override
+    default Tap tap(double x, double y) {
+        return Tap.LIFTED;
     }
 
     @Override

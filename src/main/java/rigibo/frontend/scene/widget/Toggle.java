@@ -17,17 +17,14 @@ public record Toggle(String words, BooleanSupplier isOn, Runnable flip) implemen
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
         boolean on = isOn.getAsBoolean();
-        double middle = y + ROW / 2;
-        canvas.text(
-                words,
-                x,
-                middle,
-                16,
-                Canvas.Font.WORDS,
-                Canvas.Align.LEFT,
-                isHot ? Color.TEXT : Color.TEXT_DIM);
-        canvas.panel(x + width - 40, middle - 10, 40, 20, 10, on ? Color.GOOD : Color.PANEL_LIT);
-        canvas.disc(x + width - (on ? 10 : 30), middle, 7, Color.TEXT);
+        double middle = y + Widget.row(canvas.layout()) / 2;
+        double knob = canvas.layout().lettered(10);
+        double left = x + width - 4 * knob;
+        Color ink = isHot ? Color.TEXT : Color.TEXT_DIM;
+        Print.label(canvas, words, x, middle, left - x - knob, ink);
+        Color track = on ? Color.GOOD : Color.PANEL_LIT;
+        canvas.panel(left, middle - knob, 4 * knob, 2 * knob, knob, track);
+        canvas.disc(x + width - (on ? 1 : 3) * knob, middle, 0.7 * knob, Color.TEXT);
     }
 
     @Override

@@ -1,12 +1,18 @@
 package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Layout;
 
 /** A control or readout that takes one row of a {@link Panel}. */
 public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
 
-    /** Height of a row, px. */
+    /** Height of a row on a desk, px. */
     double ROW = 30;
+
+    /** Height of a row, px. */
+    static double row(Layout layout) {
+        return layout.clickable(ROW);
+    }
 
     /** Draws the row; {@code isHot} under the pointer or chosen by keys. */
     void draw(Canvas canvas, double x, double y, double width, boolean isHot);

@@ -1,0 +1,91 @@
+package rigibo.frontend.menu;
+
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.widget.Grid;
+import rigibo.frontend.scene.widget.Plate;
+
+/**
+ * Where the parts of the menu are, logical px.
+ *
+ * @param head left and right of what stands above, from the title's middle to that of the tagline
+ * @param play the way to the next level
+ * @param row the buttons below it
+ * @param heading with its left end and its middle above the cards
+ * @param cards the first of them, and how the others follow
+ */
+record MenuPlaces(Plate head, Plate play, Plate row, Plate heading, Grid cards) {
+
+    private static final double GAP = 12;
+
+    /** The scene as it is on a desk. */
+    static final MenuPlaces ON_A_DESK =
+            new MenuPlaces(
+                    new Plate(0, 84, Scene.WIDTH, 68),
+                    new Plate(120, 190, 480, 84),
+                    new Plate(34, 286, 652, 48),
+                    new Plate(40, 368, 0, 0),
+                    new Grid(new Plate(34, 386, 320, 46), 2, GAP, 6));
+
+    /** From the upper edge to the middle of the title, and from there to that of the tagline. */
+    private static final double TITLE = 66;
+
+    private static final double TAGLINE = 74;
+
+    /** Letters of the tagline's size that stand above each other in a hand. */
+    private static final double LINES = 2;
+
+    /** Height of a line of small text, and of the way to play beside what is touched else, px. */
+    private static final double LINE = 22;
+
+    private static final double PLAY = 1.3;
+
+    static MenuPlaces of(Layout layout) {
+        if (!layout.isInHand()) {
+            return ON_A_DESK;
+        }
+        return layout.isUpright() ? upright(layout) : lying(layout);
+    }
+
+    /** Everything below each other. */
+    private static MenuPlaces upright(Layout layout) {
+        double left = layout.seenLeft() + GAP;
+        double width = layout.seenRight() - GAP - left;
+        Plate head = new Plate(left, layout.seenTop() + TITLE, width, TAGLINE);
+        Plate row = row(layout, head);
+        Plate heading = new Plate(left, row.bottom() + layout.lettered(LINE), 0, 0);
+        double top = heading.y() + layout.lettered(LINE) - 6;
+        return new MenuPlaces(
+                head, play(layout, head), row, heading, cards(layout, left, top, width));
+    }
+
+    /** The title and the levels on the left, all else on the right. */
+    private static MenuPlaces lying(Layout layout) {
+        double left = layout.seenLeft() + GAP;
+        double half = (layout.seenRight() - layout.seenLeft()) / 2 - 1.5 * GAP;
+        double middle = left + half + GAP;
+        Plate head = new Plate(left, layout.seenTop() + 2 * TITLE, half, TAGLINE);
+        Plate heading = new Plate(middle, layout.seenTop() + layout.lettered(LINE), 0, 0);
+        double top = heading.y() + layout.lettered(LINE) - 6;
+        return new MenuPlaces(
+                head,
+                play(layout, head),
+                row(layout, head),
+                heading,
+                cards(layout, middle, top, half));
+    }
+
+    private static Plate play(Layout layout, Plate head) {
+        double top = head.bottom() + LINES * layout.lettered(LINE);
+        return new Plate(head.x(), top, head.width(), PLAY * layout.clickable(0));
+    }
+
+    private static Plate row(Layout layout, Plate head) {
+        double top = play(layout, head).bottom() + GAP;
+        return new Plate(head.x(), top, head.width(), layout.clickable(0));
+    }
+
+    private static Grid cards(Layout layout, double x, double y, double width) {
+        return Grid.of(new Plate(x, y, width, layout.clickable(0)), 2, GAP / 2);
+    }
+}

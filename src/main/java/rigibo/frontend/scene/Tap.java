@@ -1,0 +1,11 @@
+package rigibo.frontend.scene;
+
+/** When a finger presses what it touches. A mouse presses at once, whatever this is. */
+public enum Tap {
+    /** As it comes down, and then it drags: sliders, and bodies that are flung. */
+    AT_ONCE,
+    /** As it is lifted, unless it slid away or rested to look. */
+    LIFTED,
+    /** As it is lifted, wherever it slid: a choice among small things. */
+    CHOSEN
+}

@@ -1,0 +1,132 @@
+package rigibo.frontend.display;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.KeyBindings;
+import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
+
+import java.util.ArrayList;
+import java.util.List;
+
+class FingerTest {
+
+    private final List<String> told = new ArrayList<>();
+    private Tap tap = Tap.AT_ONCE;
+    private double now;
+
+    private final Scene scene =
+            new Scene() {
+                @Override
+                public String title() {
+                    return "test";
+                }
+
+                @Override
+                public void step() {}
+
+                @Override
+                public void draw(Canvas canvas) {}
+
+                @Override
+                public Tap tap(double x, double y) {
+                    return tap;
+                }
+
+                @Override
+                public void choosing(boolean isChoosing) {
+                    told.add(isChoosing ? "choosing" : "chosen");
+                }
+
+                @Override
+                public void pointerMoved(double x, double y) {
+                    told.add(x < 0 ? "away" : "at " + Math.round(x));
+                }
+
+                @Override
+                public void pointerPressed(PointerButton button, double x, double y) {
+                    told.add("press " + Math.round(x));
+                }
+
+                @Override
+                public void pointerReleased(PointerButton button, double x, double y) {
+                    told.add("release");
+                }
+            };
+
+    private final Finger finger =
+            new Finger(
+                    new Input(
+                            scene, () -> {}, () -> {}, () -> {}, () -> {}, () -> KeyBindings.FIRST),
+                    () -> now);
+
+    @Test
+    void dragsAtOnceWhatIsDragged() {
+        finger.down(10, 10);
+        finger.slid(60, 10);
+        finger.lifted();
+        assertThat(told).containsExactly("at 10", "press 10", "at 60", "chosen", "release", "away");
+    }
+
+    @Test
+    void aButtonIsPressedAsTheFingerIsLifted() {
+        tap = Tap.LIFTED;
+        finger.down(10, 10);
+        assertThat(told).containsExactly("at 10");
+        finger.slid(20, 10);
+        now += 0.3;
+        finger.lifted();
+        assertThat(told).contains("press 20");
+    }
+
+    @Test
+    void aFingerThatSlidOffAButtonDoesNotMeanIt() {
+        tap = Tap.LIFTED;
+        finger.down(10, 10);
+        finger.slid(40, 10);
+        finger.slid(10, 10);
+        finger.lifted();
+        assertThat(told).contains("away").noneMatch(it -> it.startsWith("press"));
+    }
+
+    @Test
+    void aFingerThatRestsOnAButtonOnlyLooks() {
+        tap = Tap.LIFTED;
+        finger.down(10, 10);
+        now += 1;
+        finger.lifted();
+        assertThat(told).contains("at 10").noneMatch(it -> it.startsWith("press"));
+    }
+
+    @Test
+    void whatIsChosenIsPressedWhereTheFingerIsLiftedHoweverLongItTook() {
+        tap = Tap.CHOSEN;
+        finger.down(10, 10);
+        finger.slid(200, 10);
+        now += 5;
+        finger.lifted();
+        assertThat(told)
+                .containsExactly(
+                        "at 10",
+                        "choosing",
+                        "at 200",
+                        "choosing",
+                        "press 200",
+                        "chosen",
+                        "release",
+                        "away");
+    }
+
+    @Test
+    void whatTheSystemTakesPressesNothing() {
+        tap = Tap.CHOSEN;
+        finger.down(10, 10);
+        finger.taken();
+        finger.lifted();
+        assertThat(told).contains("chosen", "away").noneMatch(it -> it.startsWith("press"));
+    }
+}

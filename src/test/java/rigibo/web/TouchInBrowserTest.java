@@ -1,0 +1,25 @@
+package rigibo.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Path;
+
+/**
+ * A level is played to its verdict by touch, in a browser as large as a phone: nothing is written
+ * to its console, and nothing is asked for beyond the page's folder. Where there is no browser, or
+ * what compiles the page was never fetched, nothing is tested, and the test says so.
+ */
+class TouchInBrowserTest {
+
+    @TempDir private Path folder;
+
+    @Test
+    void aLevelIsSolvedByFingers() throws IOException, InterruptedException {
+        assertThat(WebProgram.run(folder, "--touch-one"))
+                .contains("1 of 1 levels were solved by touch");
+    }
+}
