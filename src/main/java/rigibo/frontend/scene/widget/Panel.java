@@ -17,21 +17,28 @@ public final class Panel {
     private double x;
     private double y;
     private double width;
+    private final double gap;
     private final List<Widget> widgets;
     private int hot = NOTHING;
     private int dragged = NOTHING;
 
     /** A panel with its upper left corner at (x, y), px. */
     public Panel(double x, double y, double width, List<Widget> widgets) {
+        this(x, y, width, 0, widgets);
+    }
+
+    /** A panel that leaves a gap between its rows, px. */
+    public Panel(double x, double y, double width, double gap, List<Widget> widgets) {
         this.x = x;
         this.y = y;
         this.width = width;
+        this.gap = gap;
         this.widgets = List.copyOf(widgets);
     }
 
     /** Returns this panel with other widgets; the selected or held row stays so. */
     public Panel with(List<Widget> others) {
-        Panel panel = new Panel(x, y, width, others);
+        Panel panel = new Panel(x, y, width, gap, others);
         panel.hot = hot;
         panel.dragged = dragged;
         return panel;
@@ -46,14 +53,19 @@ public final class Panel {
 
     /** Height with its padding, px. */
     public double height() {
-        return widgets.size() * Widget.ROW + 2 * PADDING;
+        return widgets.size() * pitch() + 2 * PADDING;
+    }
+
+    /** From the top of one row to that of the next, px. */
+    private double pitch() {
+        return Widget.ROW + gap;
     }
 
     /** Draws the plate and its rows. */
     public void draw(Canvas canvas) {
         canvas.panel(x, y, width, height(), 12, Color.PANEL);
         for (int i = 0; i < widgets.size(); i++) {
-            double top = y + PADDING + i * Widget.ROW;
+            double top = y + PADDING + i * pitch() + gap / 2;
             widgets.get(i).draw(canvas, x + PADDING, top, width - 2 * PADDING, i == hot);
             if (i == hot) {
                 canvas.frame(x + 4, top - 1, width - 8, Widget.ROW + 2, 9, Color.BRASS);
@@ -122,7 +134,7 @@ public final class Panel {
         if (!contains(px, py)) {
             return NOTHING;
         }
-        int row = (int) Math.floor((py - y - PADDING) / Widget.ROW);
+        int row = (int) Math.floor((py - y - PADDING) / pitch());
         return row >= 0 && row < widgets.size() ? row : NOTHING;
     }
 
