@@ -43,13 +43,17 @@ class DemoEffectsTest {
     }
 
     private static List<String> chips(RecordingCanvas canvas) {
-        return TITLES.stream().filter(canvas.texts()::contains).toList();
+        return TITLES.stream().filter(title -> canvas.texts().contains(name(title))).toList();
+    }
+
+    private static String name(String title) {
+        return new Words("en").of("effect." + title);
     }
 
     private static List<String> lit(Scene scene) {
         RecordingCanvas canvas = RecordingCanvas.of(scene, EveryDemo.WIDE);
         return chips(canvas).stream()
-                .filter(title -> canvas.plateOf(title).equals(Color.BRASS))
+                .filter(title -> canvas.plateOf(name(title)).equals(Color.BRASS))
                 .toList();
     }
 
@@ -85,7 +89,7 @@ class DemoEffectsTest {
     void everyEffectCanBeTriedAndRRestoresTheSet(Function<Words, Demo> maker) {
         Scene scene = open(maker);
         for (String chip : chips(RecordingCanvas.of(scene, EveryDemo.WIDE))) {
-            click(scene, chip);
+            click(scene, name(chip));
             for (int i = 0; i < 30; i++) {
                 scene.step();
             }

@@ -2,16 +2,19 @@ package rigibo.frontend.editor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 import rigibo.frontend.editor.desk.Leaf;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.Item;
+import rigibo.frontend.editor.draft.NewLevel;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.file.DraftFiles;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
@@ -63,7 +66,7 @@ class EditorLegibilityTest {
     }
 
     private static Draft draftFullOfErrors() {
-        Draft draft = rigibo.frontend.editor.draft.NewLevel.draft();
+        Draft draft = NewLevel.draft();
         for (int i = 0; i < 9; i++) {
             draft = draft.plus(draft.item("/bodies/0").orElseThrow().node());
         }
@@ -129,6 +132,17 @@ class EditorLegibilityTest {
         Author author = new Author(opened, Optional.empty(), language);
         RecordingCanvas canvas = author.look();
         assertThat(canvas.texts()).noneMatch(text -> text.endsWith("…"));
+    }
+
+    /** Without its sign, gravity of 9.81 would be one upwards. */
+    @Test
+    void enlargedNumbersKeepTheirSignAndTheMarkOfTheLanguage() {
+        Author author =
+                new Author(
+                        new DraftFile(NewLevel.draft(), Optional.empty()), Optional.empty(), "de");
+        Layout enlarged = Layout.ALONE.withText(1.3, 1.3);
+        assertThat(RecordingCanvas.of(author.scene, enlarged).texts())
+                .contains("-9,81", "Neues Level");
     }
 
     private static void assertLegible(Author author) {

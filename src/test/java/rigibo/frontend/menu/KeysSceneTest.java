@@ -43,7 +43,7 @@ class KeysSceneTest {
         scene.keyPressed(Key.P);
         assertThat(key(Action.PAUSE)).isEqualTo(Key.H);
         assertThat(RecordingCanvas.of(scene).texts())
-                .contains("Hint has the key P now. What P did before is done by H: Pause.");
+                .contains("The key P is for Hint now, and the key H for Pause.");
     }
 
     @Test

@@ -16,6 +16,9 @@ final class Column {
     private static final double SIGN = 22;
     private static final double VALUE = 66;
 
+    /** What plus and minus leave to the value between them where text is enlarged, px. */
+    private static final double SPARED = 5;
+
     private final Pane pane;
     private final Area area;
     private double y;
@@ -57,20 +60,22 @@ final class Column {
     /** A value between a minus and a plus; a press on it begins to type. */
     void stepper(String words, Shown shown, Runnable type, IntConsumer nudge) {
         Area row = row();
+        double sign = pane.canvas().layout().type() > 1 ? SIGN - SPARED : SIGN;
         double left = row.right() - VALUE - 2 * SIGN;
         Area label = new Area(row.x(), row.y(), left - row.x(), row.height());
         pane.text(label, words, Canvas.Align.LEFT, Color.TEXT_DIM);
         pane.button(
-                new Area(left, row.y(), SIGN, row.height()),
+                new Area(left, row.y(), sign, row.height()),
                 "–",
                 Color.PANEL_LIT,
                 words,
                 () -> nudge.accept(-1));
-        Area value = new Area(left + SIGN, row.y(), VALUE, row.height());
+        double room = row.right() - left - 2 * sign;
+        Area value = new Area(left + sign, row.y(), room, row.height());
         pane.value(value, shown.text(), shown.font(), shown.isTyped());
         pane.spots().add(value, words, type);
         pane.button(
-                new Area(row.right() - SIGN, row.y(), SIGN, row.height()),
+                new Area(row.right() - sign, row.y(), sign, row.height()),
                 "+",
                 Color.PANEL_LIT,
                 words,

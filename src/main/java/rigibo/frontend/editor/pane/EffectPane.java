@@ -83,6 +83,6 @@ public final class EffectPane {
     }
 
     private static String name(Pane pane, String effect) {
-        return pane.words().of("editor.effect." + effect);
+        return pane.words().of("effect." + effect);
     }
 }

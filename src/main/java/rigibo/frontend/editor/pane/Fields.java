@@ -10,6 +10,7 @@ import rigibo.frontend.scene.Canvas;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 
+import java.text.DecimalFormatSymbols;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -170,9 +171,14 @@ final class Fields {
         return new Column.Shown(typing.shown(field, held), font, typing.isIn(field));
     }
 
-    /** Without places that say nothing. */
-    static String plain(double value) {
+    /** Without places that say nothing, with the decimal mark of the player's language. */
+    private String plain(double value) {
         String text = String.format(Locale.ROOT, "%.3f", value);
-        return text.replaceFirst("\\.?0+$", "").replaceFirst("^-0$", "0");
+        String shortest = text.replaceFirst("\\.?0+$", "").replaceFirst("^-0$", "0");
+        return shortest.replace('.', mark());
+    }
+
+    private char mark() {
+        return DecimalFormatSymbols.getInstance(pane.words().locale()).getDecimalSeparator();
     }
 }

@@ -96,7 +96,8 @@ final class LevelPane {
         String language = fields.language();
         String pointer = member + "/" + language;
         String english = member + "/en";
-        String held = fields.desk().draft().at(pointer).asString(englishOf(fields, english));
+        String stated = fields.desk().draft().at(pointer).asString(englishOf(fields, english));
+        String held = stated.equals(NewLevel.TITLE) ? fields.words("untitled") : stated;
         fields.column().note(fields.words(key));
         fields.text(
                 pointer,

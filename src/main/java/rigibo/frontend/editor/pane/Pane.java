@@ -74,15 +74,18 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
         canvas.text(fitting, x, area.middleY(), TEXT, Canvas.Font.WORDS, align, color);
     }
 
-    /** A value in a box of its own; its end is shown where it is too long, for there one types. */
+    /**
+     * A value in a box of its own. Where it is too long, its end is shown while one types there.
+     */
     void value(Area area, String held, Canvas.Font font, boolean isTyped) {
         canvas.panel(area.x(), area.y(), area.width(), area.height(), 5, Color.DUSK_TOP);
         if (isTyped) {
             canvas.frame(area.x(), area.y(), area.width(), area.height(), 5, Color.BRASS);
         }
-        String end = ending(held, area.width() - PADDING, font);
+        double room = area.width() - PADDING;
+        String shown = isTyped ? ending(held, room, font) : fitted(held, room, font);
         canvas.text(
-                end, area.middleX(), area.middleY(), TEXT, font, Canvas.Align.CENTRE, Color.TEXT);
+                shown, area.middleX(), area.middleY(), TEXT, font, Canvas.Align.CENTRE, Color.TEXT);
     }
 
     private String fitted(String line, double room, Canvas.Font font) {

@@ -18,29 +18,39 @@ public final class Panel {
     private double x;
     private double y;
     private double width;
+    private final double gap;
     private final List<Widget> widgets;
     private int hot = NOTHING;
     private int dragged = NOTHING;
 
-    /** Height of a row as it was last drawn, px, and how many columns they stand in. */
+    /** Height of a row and what is left between two as last drawn, px; and how many columns. */
     private double row = Widget.ROW;
 
+    private double space;
     private int columns = 1;
 
     /** A panel with its upper left corner at (x, y), px. */
     public Panel(double x, double y, double width, List<Widget> widgets) {
+        this(x, y, width, 0, widgets);
+    }
+
+    /** A panel that leaves a gap between its rows, px. */
+    public Panel(double x, double y, double width, double gap, List<Widget> widgets) {
         this.x = x;
         this.y = y;
         this.width = width;
+        this.gap = gap;
+        space = gap;
         this.widgets = List.copyOf(widgets);
     }
 
     /** Returns this panel with other widgets; the selected or held row stays so. */
     public Panel with(List<Widget> others) {
-        Panel panel = new Panel(x, y, width, others);
+        Panel panel = new Panel(x, y, width, gap, others);
         panel.hot = hot;
         panel.dragged = dragged;
         panel.row = row;
+        panel.space = space;
         panel.columns = columns;
         return panel;
     }
@@ -54,7 +64,12 @@ public final class Panel {
 
     /** Height with its padding, px. */
     public double height() {
-        return rows() * row + 2 * PADDING;
+        return rows() * pitch() + 2 * PADDING;
+    }
+
+    /** From the top of one row to that of the next, px. */
+    private double pitch() {
+        return row + space;
     }
 
     private int rows() {
@@ -65,6 +80,7 @@ public final class Panel {
     public void draw(Canvas canvas) {
         Layout layout = canvas.layout();
         row = Widget.row(layout);
+        space = layout.isInHand() ? 0 : gap;
         columns = 1;
         if (layout.isInHand() && y + height() > layout.seenBottom()) {
             columns = 2;
@@ -85,7 +101,7 @@ public final class Panel {
         double wide = (width - (columns + 1) * PADDING) / columns;
         return new Plate(
                 x + PADDING + widget / rows() * (wide + PADDING),
-                y + PADDING + widget % rows() * row,
+                y + PADDING + widget % rows() * pitch() + space / 2,
                 wide,
                 row);
     }
