@@ -7,10 +7,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelLoader;
+import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.VerbLevels;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.RecordingCanvas.Curve;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
+
+import java.io.IOException;
+import java.nio.file.Path;
 
 /** Verbs by mouse and by keys: what they do, what is heard, what is shown. */
 class VerbsByHandTest {
@@ -80,6 +86,31 @@ class VerbsByHandTest {
         machines.keys(Key.TAB, Key.TAB, Key.TAB, Key.ENTER).turns(60);
         machines.keys(Key.TAB, Key.TAB, Key.TAB, Key.ENTER);
         assertThat(machines.director.sounds.signals).startsWith("fuse").endsWith("switch_on");
+    }
+
+    /** The sign would lie on the plate that tells the medals. */
+    @Test
+    void whatAClickDoesIsShownAtThePointerUntilTheGameIsOver() throws IOException {
+        PlayedLevel magnet = new PlayedLevel(letGo());
+        assertThat(ringsAtPointer(magnet, 5.5, 7.5)).isEqualTo(ringsAtPointer(magnet, 1, 1) + 1);
+        magnet.click(5.5, 7.5).turns(PlayedLevel.LONG_ENOUGH);
+        assertThat(magnet.progress().isSolved()).isTrue();
+        assertThat(ringsAtPointer(magnet, 5.5, 7.5)).isEqualTo(ringsAtPointer(magnet, 1, 1));
+    }
+
+    private static Level letGo() throws IOException {
+        Path file =
+                LevelShelf.files().stream()
+                        .filter(level -> level.endsWith("3-03-let-go.json"))
+                        .findAny()
+                        .orElseThrow();
+        return new LevelLoader().load(file).level().orElseThrow();
+    }
+
+    /** Rings on the screen with the pointer at a place, m. */
+    private static int ringsAtPointer(PlayedLevel played, double x, double y) {
+        played.scene.pointerMoved(x * SCALE, Scene.HEIGHT - y * SCALE);
+        return played.turns(1).canvas().rings().size();
     }
 
     @ParameterizedTest

@@ -5,6 +5,7 @@ import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.ClickResult;
 import rigibo.frontend.puzzle.rules.Link;
 import rigibo.frontend.puzzle.rules.Piece;
+import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.puzzle.session.Pose;
@@ -150,9 +151,12 @@ public final class Table {
         }
     }
 
-    /** Draws what a click would do at the pointer; what keys selected shows it itself. */
+    /**
+     * Draws what a click would do at the pointer; what keys selected shows it itself. Once the game
+     * is over, no click does anything, and the plate that says so would be under the sign.
+     */
     private void drawVerb(Canvas canvas, PuzzleGame game) {
-        if (cursor.chosen(game).isEmpty()) {
+        if (game.outcome() == Outcome.RUNNING && cursor.chosen(game).isEmpty()) {
             cursor.under(game)
                     .filter(Target::isClickable)
                     .ifPresent(
