@@ -16,6 +16,9 @@ final class AllowedWork {
      */
     private static final double MOST_IF_MISSED = 1e-4;
 
+    /** Most work of brakes that are not solved, as a share of the energy. */
+    private static final double MOST_OF_BRAKES = 0.1;
+
     private final Motions motions;
     private final RowWork work;
 
@@ -40,11 +43,11 @@ final class AllowedWork {
     }
 
     /**
-     * Whether bodies gained energy that no row gave them or, where rows are not solved, that brakes
-     * gave them.
+     * Whether bodies gained energy that no row gave them or, where rows are not solved, much that
+     * brakes gave them.
      */
     boolean isAnyDriven(boolean isSolved) {
-        boolean areBraked = isSolved || work.sumOfBrakes() <= ROUND_OFF * energy();
+        boolean areBraked = isSolved || work.sumOfBrakes() <= MOST_OF_BRAKES * energy();
         return !areBraked || !work.isAllOfRows();
     }
 
