@@ -16,6 +16,9 @@ final class AllowedWork {
      */
     private static final double MOST_IF_MISSED = 1e-4;
 
+    /** Most work of brakes that are not solved, as a share of the energy. */
+    private static final double MOST_OF_BRAKES = 0.1;
+
     private final Motions motions;
     private final RowWork work;
 
@@ -36,12 +39,16 @@ final class AllowedWork {
     /** Whether rows did no work but round-off, in an island that is small or not. */
     boolean isNone(boolean isSmall) {
         double done = isSmall ? Math.min(work.sum(), work.sumOfStops()) : work.sum();
-        return done <= ROUND_OFF * energy() && !isAnyDriven();
+        return done <= ROUND_OFF * energy() && work.isAllOfRows();
     }
 
-    /** Whether brakes drove bodies, or these gained what no row gave them. */
-    boolean isAnyDriven() {
-        return work.sumOfBrakes() > ROUND_OFF * energy() || !work.isAllOfRows();
+    /**
+     * Whether bodies gained energy that no row gave them or, where rows are not solved, much that
+     * brakes gave them.
+     */
+    boolean isAnyDriven(boolean isSolved) {
+        boolean areBraked = isSolved || work.sumOfBrakes() <= MOST_OF_BRAKES * energy();
+        return !areBraked || !work.isAllOfRows();
     }
 
     private double energy() {

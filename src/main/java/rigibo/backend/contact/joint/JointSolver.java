@@ -399,7 +399,7 @@ public final class JointSolver {
      */
     private void secure(boolean isSolved, boolean isGained, double settled) {
         boolean areAny = isSolved ? contactRows.carry() : contactRows.areAny();
-        boolean mayDoWork = areAny || elimination.isSpent() || allowed.isAnyDriven();
+        boolean mayDoWork = areAny || elimination.isSpent() || allowed.isAnyDriven(isSolved);
         boolean isNone = isSolved && !isGained && allowed.isNone(budget.isSmall());
         if (mayDoWork && !isNone) {
             work.takeBack();
