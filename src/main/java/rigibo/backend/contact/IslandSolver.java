@@ -103,6 +103,9 @@ final class IslandSolver {
     private final CarriedFrame frame;
     private final Substeps fewer;
 
+    /** Whether contacts are measured again within a substep; not at DRAFT. */
+    private final boolean isFollowed;
+
     /** Whether the packed island is solved whole, by elimination. */
     private boolean isWhole;
 
@@ -161,6 +164,7 @@ final class IslandSolver {
         repose = new Repose(data, motions, contacts, own, wanted, kick, builder, accuracy);
         balance = new EnergyBalance(data.bodies, motions, contacts);
         Straightness straight = new Straightness(motions, accuracy);
+        isFollowed = straight.follows;
         landings = new Landings(motions, contacts, kick, accuracy);
         SharedRows shared = new SharedRows(team, contacts);
         FreshRows fresh = new FreshRows(data, narrowphase, motions, contacts, builder, shared);
@@ -323,7 +327,9 @@ final class IslandSolver {
         }
         repose.haltHeld(kicked);
         contacts.addUpImpulses(1);
-        if (passes.drift(h, substep, unanswered(), limit, left)) {
+        if (!isFollowed) {
+            motions.drift(h);
+        } else if (passes.drift(h, substep, unanswered(), limit, left)) {
             rounds.forget();
         }
         rounds.takeOverlapBack(h, substep);

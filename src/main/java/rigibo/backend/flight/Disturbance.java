@@ -153,16 +153,17 @@ final class Disturbance {
     }
 
     /**
-     * Hands the reach of a body on to those that are joined to it. They become no faster than it
-     * is, nor than its energy can make them. So contacts, which keep to that energy, too, and
-     * joints cannot hand a reach round in circles in which it grows.
+     * Hands the reach of a body on to those that are joined to it. They become no faster than its
+     * energy makes both of them. So contacts, which keep to that energy, too, and joints cannot
+     * hand a reach round in circles in which it grows.
      */
     private void disturbJoined(int slot, double reach) {
         for (int j = joints.firstOf(slot); j != JointStore.NONE; j = joints.nextOf(j, slot)) {
             if (joints.hasRows(bodies, j)) {
                 int other = joints.other(j, slot);
-                double share = Math.sqrt(bodies.inverseMass[other] / bodies.inverseMass[slot]);
-                note(other, Math.min(1, share) * reach);
+                double lightness = bodies.inverseMass[other];
+                double share = lightness / (lightness + bodies.inverseMass[slot]);
+                note(other, Math.sqrt(share) * reach);
             }
         }
     }

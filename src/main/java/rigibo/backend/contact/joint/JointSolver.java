@@ -446,9 +446,13 @@ public final class JointSolver {
         results.add();
     }
 
-    /** Whether overlap is removed here: not where only axes are locked, and bodies are few. */
+    /**
+     * Whether overlap is removed here: not in a small island where only axes are locked or which is
+     * too taut. Joints of a straight bridge hold nearly all that a push would move, and what is
+     * left would be lifted without a force.
+     */
     public boolean takesOverlapBack() {
-        return packed.count > 0 || !budget.isWhole();
+        return !budget.isWhole() || packed.count > 0 && !needed.isTaut();
     }
 
     /** Removes overlap with joints held, after a drift of h seconds. */

@@ -21,6 +21,7 @@ import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Words;
 
 import java.util.List;
 import java.util.stream.Stream;
@@ -86,8 +87,10 @@ class PuzzleExperimentTest {
     void litIsWhatTheLevelDeclares() {
         scene.keyPressed(Key.E);
         RecordingCanvas canvas = RecordingCanvas.of(scene);
+        Words words = new Words("en");
         for (Effect effect : level.world().effects().all()) {
-            assertThat(canvas.plateOf(effect.title())).isEqualTo(Color.BRASS);
+            String name = words.of("effect." + effect.title());
+            assertThat(canvas.plateOf(name)).isEqualTo(Color.BRASS);
         }
         assertThat(canvas.plateOf("wind")).isEqualTo(Color.PANEL_LIT);
     }
