@@ -83,13 +83,7 @@ public final class EdgeContact {
         if (view.leastDistance() - radius > reach) {
             return;
         }
-        view.lookFrom(true);
-        double toEnds = view.distance;
-        boolean isIn = view.isInside;
-        view.lookFrom(false);
-        isIn |= view.isInside;
-        double nearest = Math.min(nearestOver(), Math.min(toEnds, view.distance));
-        double gap = isIn ? 0 : Math.max(0, nearest - radius);
+        double gap = Math.max(0, distanceOfCore() - radius);
         if (gap <= reach) {
             view.normal(pose, 0, 1, NormalSource.FACE_A, out);
             out.beside = gap;
@@ -148,12 +142,17 @@ public final class EdgeContact {
         if (!view.isConvex(true) && !view.isConvex(false) || view.isPierced()) {
             return false;
         }
+        return distanceOfCore() > radius;
+    }
+
+    /** Distance between the core and the edge, m; 0 if an end of the edge is inside the core. */
+    private double distanceOfCore() {
         view.lookFrom(true);
+        double fromStart = view.distance;
         boolean isIn = view.isInside;
-        double toEnds = view.distance;
         view.lookFrom(false);
-        isIn |= view.isInside;
-        return !isIn && Math.min(nearestOver(), Math.min(toEnds, view.distance)) > radius;
+        double fromEnds = Math.min(fromStart, view.distance);
+        return isIn || view.isInside ? 0 : Math.min(nearestOver(), fromEnds);
     }
 
     /** Whether part of the lowest side, not only a point of it, lies over the edge. */

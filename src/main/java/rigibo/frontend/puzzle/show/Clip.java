@@ -13,7 +13,7 @@ final class Clip {
 
     private double leaves;
 
-    /** What is left of the line that was cut last. */
+    /** Ends of the part of the last line that lies within the clip. */
     double fromX;
 
     double fromY;
