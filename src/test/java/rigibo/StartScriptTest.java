@@ -105,6 +105,7 @@ class StartScriptTest {
         // The plainest there is, as in a job of cron's.
         environment.put("LC_ALL", "C");
         environment.put("JAVA_HOME", System.getProperty("java.home"));
+        environment.keySet().removeAll(List.of("DISPLAY", "WAYLAND_DISPLAY"));
         environment.merge("PATH", folder.resolve("bin").toString(), (old, own) -> own + ":" + old);
         return builder.start();
     }
@@ -142,6 +143,12 @@ class StartScriptTest {
         Path moved = Files.move(checkout, folder.resolve("für Ōe"));
         assertThat(run(moved, "levels"))
                 .containsExactly(moved.resolve("build/classes").toString(), "levels");
+    }
+
+    @Test
+    void helpNeedsNoDisplay() throws IOException {
+        assumeThat(System.getProperty("os.name")).isEqualTo("Linux");
+        assertThat(run(checkout, "play", "--scene", "x", "--help")).endsWith("play", "--help");
     }
 
     @Test

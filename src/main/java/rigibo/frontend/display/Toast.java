@@ -2,6 +2,7 @@ package rigibo.frontend.display;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
 
 /** A short message about the window itself, shown for a moment over any scene. */
@@ -12,7 +13,7 @@ final class Toast {
 
     private static final double SIZE = 18;
     private static final double HEIGHT = 40;
-    private static final double TOP = 70;
+    private static final double EDGE = 8;
     private static final double PADDING = 20;
 
     private String words = "";
@@ -31,15 +32,26 @@ final class Toast {
         left--;
         double width = canvas.textWidth(words, SIZE, Canvas.Font.WORDS) + 2 * PADDING;
         double x = (Scene.WIDTH - width) / 2;
-        double height = canvas.layout().lettered(HEIGHT);
-        canvas.panel(x, TOP, width, height, height / 2, Color.PANEL_LIT);
+        Layout layout = canvas.layout();
+        double height = layout.lettered(HEIGHT);
+        double y = top(layout, height);
+        canvas.panel(x, y, width, height, height / 2, Color.PANEL_LIT);
+        canvas.frame(x, y, width, height, height / 2, Color.BRASS);
         canvas.text(
                 words,
                 Scene.WIDTH / 2.0,
-                TOP + height / 2,
+                y + height / 2,
                 SIZE,
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,
                 Color.TEXT);
+    }
+
+    /**
+     * Upper edge, px. Headlines are in the upper half of most scenes: it lies over what is known
+     * best, the keys at the lower edge, or in a hand, where those are for thumbs, the upper bar.
+     */
+    private static double top(Layout layout, double height) {
+        return layout.isInHand() ? layout.seenTop() + EDGE : layout.seenBottom() - EDGE - height;
     }
 }

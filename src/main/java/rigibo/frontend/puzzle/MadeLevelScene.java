@@ -60,7 +60,17 @@ final class MadeLevelScene implements TiledScene {
         this.occasion = occasion;
         this.making = making;
         results = occasion.results(director);
-        layOut(0);
+        layOut(Tiles.NONE);
+    }
+
+    /**
+     * Chooses the way back once nothing else is left. While the level is made Enter must not lead
+     * away: players who cannot wait press it to play.
+     */
+    static void chooseWayBack(Tiles tiles, Making making) {
+        if (making.isHopeless() && tiles.chosen() == Tiles.NONE) {
+            tiles.choose(0);
+        }
     }
 
     /** The tiles: the way back, then those for the level, the first of which plays it. */
@@ -125,6 +135,7 @@ final class MadeLevelScene implements TiledScene {
             picture = making.made().map(made -> new LevelPicture(made.level(), PICTURE_SCALE));
             layOut(1);
         }
+        chooseWayBack(tiles, making);
     }
 
     @Override

@@ -37,7 +37,7 @@ final class MadeReplayScene implements TiledScene {
         this.replay = replay;
         this.making = making;
         words = director.words();
-        tiles = new Tiles(List.of(MadeLevelScene.wayBack(director)), 0);
+        tiles = new Tiles(List.of(MadeLevelScene.wayBack(director)), Tiles.NONE);
     }
 
     @Override
@@ -48,6 +48,7 @@ final class MadeReplayScene implements TiledScene {
     @Override
     public void step() {
         steps++;
+        MadeLevelScene.chooseWayBack(tiles, making);
         if (!isHandedOver && making.made().isPresent()) {
             isHandedOver = true;
             director.show(watched(making.made().get().level()));

@@ -140,6 +140,17 @@ class MadeLevelsTest {
     }
 
     @Test
+    void enterLeadsNowhereWhileALevelIsMade() {
+        MadeLevelScene scene = new MadeLevelScene(director, FIRST);
+        scene.keyPressed(Key.ENTER);
+        scene.keyPressed(Key.LEFT);
+        assertThat(director.asked).isEmpty();
+        scene.keyPressed(Key.ENTER);
+        assertThat(director.asked).containsExactly("levels");
+        scene.closed();
+    }
+
+    @Test
     void stoppedMakingMakesNothing() throws InterruptedException {
         Making making = Making.begin(FIRST.seeds());
         making.stop();
@@ -154,6 +165,7 @@ class MadeLevelsTest {
         making.await();
         MadeLevelScene scene = new MadeLevelScene(director, FIRST, making);
         assertThat(RecordingCanvas.of(scene).texts()).contains("No level could be made");
+        scene.step();
         scene.keyPressed(Key.ENTER);
         assertThat(director.asked).containsExactly("levels");
     }
@@ -225,6 +237,7 @@ class MadeLevelsTest {
         hopeless.await();
         MadeReplayScene scene = waiting(replay(), hopeless);
         assertThat(Legibility.faults(scene)).isEmpty();
+        scene.step();
         scene.keyPressed(Key.ENTER);
         assertThat(director.asked).containsExactly("levels");
     }

@@ -12,10 +12,13 @@ public final class Tiles {
     /** A tile aside of an arrow's way is as far as one so many times farther along it. */
     private static final double ASIDE = 3;
 
+    /** What is chosen of tiles none of which is: then Enter uses nothing. */
+    public static final int NONE = -1;
+
     private final List<Tile> tiles;
     private int chosen;
 
-    /** Tiles with one of them, from 0, chosen. */
+    /** Tiles with one of them, from 0, or {@link #NONE} chosen. */
     public Tiles(List<Tile> tiles, int chosen) {
         this.tiles = List.copyOf(tiles);
         this.chosen = chosen;
@@ -28,7 +31,7 @@ public final class Tiles {
         }
     }
 
-    /** Which of them is chosen, from 0. */
+    /** Which of them is chosen, from 0, or {@link #NONE}. */
     public int chosen() {
         return chosen;
     }
@@ -70,13 +73,22 @@ public final class Tiles {
             case LEFT -> chosen = towards(-1, 0);
             case RIGHT -> chosen = towards(1, 0);
             case TAB -> chosen = (chosen + 1) % tiles.size();
-            case ENTER, SPACE -> tiles.get(chosen).action().run();
+            case ENTER, SPACE -> use();
             default -> {}
+        }
+    }
+
+    private void use() {
+        if (chosen != NONE) {
+            tiles.get(chosen).action().run();
         }
     }
 
     /** The nearest tile in a direction, or the present one where there is none. */
     private int towards(int right, int down) {
+        if (chosen == NONE) {
+            return 0;
+        }
         Tile from = tiles.get(chosen);
         int nearest = chosen;
         double least = Double.POSITIVE_INFINITY;
