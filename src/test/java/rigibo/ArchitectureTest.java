@@ -17,6 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import rigibo.examples.FallingCrate;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -31,9 +33,9 @@ import java.util.stream.Stream;
 class ArchitectureTest {
 
     /** Of the directory or archive that {@code Main} is in, which leaves tests and examples out. */
-    private static final JavaClasses CLASSES =
-            new ClassFileImporter()
-                    .importUrl(Main.class.getProtectionDomain().getCodeSource().getLocation());
+    private static final JavaClasses CLASSES = classesBeside(Main.class);
+
+    private static final JavaClasses EXAMPLES = classesBeside(FallingCrate.class);
 
     private static final String BACKEND = "rigibo.backend";
     private static final String FRONTEND = "rigibo.frontend";
@@ -217,6 +219,11 @@ class ArchitectureTest {
                 .check(CLASSES);
     }
 
+    private static JavaClasses classesBeside(Class<?> one) {
+        return new ClassFileImporter()
+                .importUrl(one.getProtectionDomain().getCodeSource().getLocation());
+    }
+
     @Test
     void everyInnerPackageIsOfARoom() {
         Set<String> rooms =
@@ -329,13 +336,27 @@ class ArchitectureTest {
                 .that()
                 .resideInAnyPackage(SAME_BITS_EVERYWHERE)
                 .should()
-                .callMethodWhere(
-                        DescribedPredicate.<JavaMethodCall>describe(
-                                "calls mathematics whose last bit is free",
-                                call ->
-                                        call.getTargetOwner().getName().endsWith("Math")
-                                                && LOOSE_MATHEMATICS.contains(call.getName())))
+                .callMethodWhere(isLooseMathematics())
                 .check(CLASSES);
+    }
+
+    /** They run on the page, too. The tutorial only prints a logarithm. */
+    @Test
+    void exhibitsComputeTheSameBitsEverywhere() {
+        noClasses()
+                .that()
+                .resideOutsideOfPackage("rigibo.tutorial..")
+                .should()
+                .callMethodWhere(isLooseMathematics())
+                .check(EXAMPLES);
+    }
+
+    private static DescribedPredicate<JavaMethodCall> isLooseMathematics() {
+        return DescribedPredicate.describe(
+                "calls mathematics whose last bit is free",
+                call ->
+                        call.getTargetOwner().getName().endsWith("Math")
+                                && LOOSE_MATHEMATICS.contains(call.getName()));
     }
 
     @Test

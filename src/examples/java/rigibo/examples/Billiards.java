@@ -7,6 +7,7 @@ import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Exponential;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -69,7 +70,7 @@ public final class Billiards implements Exhibit {
         double atFirst = pool.kineticEnergy();
         for (int i = 0; i < 5; i++) {
             example.run(pool, 1);
-            double expected = atFirst * Math.exp(-2 * CLOTH * pool.time());
+            double expected = atFirst * Exponential.exp(-2 * CLOTH * pool.time());
             System.out.printf(
                     "%.0f s: %.6f of %.6f J%n", pool.time(), pool.kineticEnergy(), expected);
         }

@@ -2,6 +2,7 @@ package rigibo.examples;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
@@ -28,9 +29,9 @@ public final class Cave implements Exhibit {
         double[] xy = new double[2 * CORNERS];
         for (int i = 0; i < CORNERS; i++) {
             double way = -2 * Math.PI * i / CORNERS;
-            double rough = 1 + 0.08 * Math.sin(7 * way) + 0.05 * Math.cos(11 * way);
-            xy[2 * i] = HALF_WIDTH * rough * Math.cos(way);
-            xy[2 * i + 1] = 4 + 3 * rough * Math.sin(way);
+            double rough = 1 + 0.08 * Angle.sin(7 * way) + 0.05 * Angle.cos(11 * way);
+            xy[2 * i] = HALF_WIDTH * rough * Angle.cos(way);
+            xy[2 * i + 1] = 4 + 3 * rough * Angle.sin(way);
         }
         pool.add(BodyDefinition.fixed(Chain.loop(xy)).material(ROCK));
         for (int i = 0; i < 30; i++) {

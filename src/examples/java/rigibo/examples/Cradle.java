@@ -5,6 +5,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -38,7 +39,7 @@ public final class Cradle implements Exhibit {
             RigidBody ball =
                     pool.add(
                             BodyDefinition.dynamic(new Circle(RADIUS))
-                                    .at(pivot + ROD * Math.sin(angle), 5 - ROD * Math.cos(angle))
+                                    .at(pivot + ROD * Angle.sin(angle), 5 - ROD * Angle.cos(angle))
                                     .material(new Material(1000, 0, 1)));
             balls.add(ball);
             pool.join(DistanceJoint.rod(beam, pivot, 5, ball, ball.x(), ball.y()));

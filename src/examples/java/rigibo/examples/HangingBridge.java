@@ -6,6 +6,7 @@ import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
@@ -42,8 +43,8 @@ public final class HangingBridge implements Exhibit {
         double y = 2.95;
         for (int k = 1; k <= PLANKS; k++) {
             double angle = lean(k, pull);
-            double dx = LENGTH * Math.cos(angle);
-            double dy = LENGTH * Math.sin(angle);
+            double dx = LENGTH * Angle.cos(angle);
+            double dy = LENGTH * Angle.sin(angle);
             RigidBody plank =
                     pool.add(
                             BodyDefinition.dynamic(Polygon.box(LENGTH, 0.1))
@@ -59,7 +60,7 @@ public final class HangingBridge implements Exhibit {
 
     /** Plank k of n: tan θ = (2k − n − 1)/(2H), where H is the pull over a plank's weight. */
     private static double lean(int plank, double pull) {
-        return Math.atan((2 * plank - PLANKS - 1) / (2 * pull));
+        return Angle.atan2(2 * plank - PLANKS - 1, 2 * pull);
     }
 
     /** The pull at which the planks span the gap, by bisection. */
@@ -70,7 +71,7 @@ public final class HangingBridge implements Exhibit {
             double middle = (low + high) / 2;
             double span = 0;
             for (int k = 1; k <= PLANKS; k++) {
-                span += LENGTH * Math.cos(lean(k, middle));
+                span += LENGTH * Angle.cos(lean(k, middle));
             }
             low = span < 2 * HALF ? middle : low;
             high = span < 2 * HALF ? high : middle;

@@ -2,6 +2,7 @@ package rigibo.examples;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -50,8 +51,10 @@ public final class MarbleRun implements Exhibit {
                     pool.add(
                             BodyDefinition.dynamic(new Circle(RADIUS))
                                     .at(
-                                            -0.7 - along * Math.cos(SLOPE) + off * Math.sin(SLOPE),
-                                            7.4 + along * Math.sin(SLOPE) + off * Math.cos(SLOPE))
+                                            -0.7
+                                                    - along * Angle.cos(SLOPE)
+                                                    + off * Angle.sin(SLOPE),
+                                            7.4 + along * Angle.sin(SLOPE) + off * Angle.cos(SLOPE))
                                     .material(GLASS)));
         }
     }

@@ -7,8 +7,10 @@ import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
@@ -54,12 +56,12 @@ public final class Ragdoll implements Exhibit {
     }
 
     private RigidBody bone(Pool pool, double x1, double y1, double x2, double y2, double radius) {
-        double half = Math.hypot(x2 - x1, y2 - y1) / 2;
+        double half = Length.hypot(x2 - x1, y2 - y1) / 2;
         RigidBody bone =
                 pool.add(
                         BodyDefinition.dynamic(new Capsule(half, radius))
                                 .at((x1 + x2) / 2, (y1 + y2) / 2)
-                                .angle(Math.atan2(y2 - y1, x2 - x1))
+                                .angle(Angle.atan2(y2 - y1, x2 - x1))
                                 .group(1));
         bones.add(bone);
         return bone;

@@ -7,6 +7,7 @@ import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
@@ -31,8 +32,8 @@ public final class ScissorLift implements Exhibit {
     @Override
     public void build(Pool pool) {
         RigidBody floor = pool.add(BodyDefinition.fixed(Polygon.box(12, 1)).at(0, -0.55).group(1));
-        double half = BAR / 2 * Math.cos(LEAN);
-        double rise = BAR * Math.sin(LEAN);
+        double half = BAR / 2 * Angle.cos(LEAN);
+        double rise = BAR * Angle.sin(LEAN);
         RigidBody foot = pool.add(block(0.3, 0.2, half, 0));
         slide = pool.join(PrismaticJoint.along(floor, foot, half, 0, 0).limits(-1.6, 0.1));
         RigidBody left = floor;

@@ -6,6 +6,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.WheelJoint;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
@@ -33,7 +34,7 @@ public final class SpringCar implements Exhibit {
         for (int i = 0; i <= 120; i++) {
             double x = 30 - 0.5 * i;
             xy[2 * i] = x;
-            xy[2 * i + 1] = x > 0 ? 0.5 * (1 - Math.cos(0.6 * x)) : 0;
+            xy[2 * i + 1] = x > 0 ? 0.5 * (1 - Angle.cos(0.6 * x)) : 0;
         }
         pool.add(BodyDefinition.fixed(Chain.open(xy)).material(new Material(1, 0.9, 0)));
         Polygon hull = Polygon.of(-1, -0.2, 1, -0.2, 1, 0.05, 0.4, 0.35, -0.6, 0.35, -1, 0.1);

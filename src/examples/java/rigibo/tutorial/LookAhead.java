@@ -2,6 +2,7 @@ package rigibo.tutorial;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -27,8 +28,8 @@ public final class LookAhead {
     }
 
     static void launch(RigidBody ball, double degrees) {
-        double angle = Math.toRadians(degrees);
-        ball.velocity(SPEED * Math.cos(angle), SPEED * Math.sin(angle));
+        double angle = Angle.ofDegrees(degrees);
+        ball.velocity(SPEED * Angle.cos(angle), SPEED * Angle.sin(angle));
     }
 
     /** Throws the ball of a pool at an angle, and returns where it lands. */

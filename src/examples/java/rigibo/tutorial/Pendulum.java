@@ -8,6 +8,7 @@ import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
@@ -19,7 +20,7 @@ public final class Pendulum {
     static final double STEP = 1.0 / 60; // s
     static final double GRAVITY = 9.81; // m/s²
     static final double LENGTH = 2; // m
-    static final double LIFT = Math.toRadians(60);
+    static final double LIFT = Angle.ofDegrees(60);
 
     private Pendulum() {}
 
@@ -31,8 +32,8 @@ public final class Pendulum {
 
     /** Adds a nail at (0, 3), and a ball that hangs from it by a rod, lifted to the left. */
     static Joint build(Pool pool) {
-        double x = -LENGTH * Math.sin(LIFT);
-        double y = 3 - LENGTH * Math.cos(LIFT);
+        double x = -LENGTH * Angle.sin(LIFT);
+        double y = 3 - LENGTH * Angle.cos(LIFT);
         RigidBody nail = pool.add(BodyDefinition.fixed(Polygon.box(0.2, 0.2)).at(0, 3));
         RigidBody ball = pool.add(BodyDefinition.dynamic(new Circle(0.2)).at(x, y));
         return pool.join(DistanceJoint.rod(nail, 0, 3, ball, x, y));
@@ -41,7 +42,7 @@ public final class Pendulum {
     /** The period: 2π√(L/g) over the arithmetic-geometric mean of 1 and the cosine of LIFT/2. */
     static double period() {
         double a = 1;
-        double b = Math.cos(LIFT / 2);
+        double b = Angle.cos(LIFT / 2);
         while (a - b > 1e-15) {
             double mean = (a + b) / 2;
             b = Math.sqrt(a * b);
@@ -74,6 +75,6 @@ public final class Pendulum {
         double weight = ball.mass() * GRAVITY;
         System.out.printf(
                 "the rod pulls by up to %.2f weights, by formula %.2f%n",
-                pull / weight, 3 - 2 * Math.cos(LIFT));
+                pull / weight, 3 - 2 * Angle.cos(LIFT));
     }
 }

@@ -1,6 +1,7 @@
 package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -21,14 +22,14 @@ public final class Arch implements Exhibit {
             double to = Math.PI * (i + 1) / stones;
             Polygon wedge =
                     Polygon.of(
-                            inner * Math.cos(from),
-                            inner * Math.sin(from),
-                            outer * Math.cos(from),
-                            outer * Math.sin(from),
-                            outer * Math.cos(to),
-                            outer * Math.sin(to),
-                            inner * Math.cos(to),
-                            inner * Math.sin(to));
+                            inner * Angle.cos(from),
+                            inner * Angle.sin(from),
+                            outer * Angle.cos(from),
+                            outer * Angle.sin(from),
+                            outer * Angle.cos(to),
+                            outer * Angle.sin(to),
+                            inner * Angle.cos(to),
+                            inner * Angle.sin(to));
             pool.add(
                     BodyDefinition.dynamic(wedge)
                             .at(wedge.centroidX(), wedge.centroidY())

@@ -6,6 +6,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -40,7 +41,7 @@ public final class BounceHouse implements Exhibit {
         }
         sketch.count(
                 String.format(
-                        Locale.ROOT, "%.6f m/s", Math.hypot(ball.velocityX(), ball.velocityY())));
+                        Locale.ROOT, "%.6f m/s", Length.hypot(ball.velocityX(), ball.velocityY())));
     }
 
     @Override

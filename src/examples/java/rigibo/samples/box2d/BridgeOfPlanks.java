@@ -5,6 +5,7 @@ import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
@@ -27,13 +28,13 @@ public final class BridgeOfPlanks implements Exhibit {
         RigidBody left = pool.add(BodyDefinition.fixed(Polygon.box(1, 6)).at(-half - 0.5, 3));
         RigidBody right = pool.add(BodyDefinition.fixed(Polygon.box(1, 6)).at(half + 0.5, 3));
         RigidBody before = left;
-        double lean = Math.acos(0.4 / LENGTH);
+        double lean = Angle.acos(0.4 / LENGTH);
         double x = -half;
         double y = 5.9;
         for (int i = 0; i < PLANKS; i++) {
             double angle = i < PLANKS / 2 ? -lean : lean;
-            double dx = LENGTH * Math.cos(angle);
-            double dy = LENGTH * Math.sin(angle);
+            double dx = LENGTH * Angle.cos(angle);
+            double dy = LENGTH * Angle.sin(angle);
             RigidBody plank =
                     pool.add(
                             BodyDefinition.dynamic(Polygon.box(LENGTH, 0.12))

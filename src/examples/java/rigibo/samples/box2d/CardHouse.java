@@ -1,6 +1,7 @@
 package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -16,8 +17,8 @@ public final class CardHouse implements Exhibit {
     @Override
     public void build(Pool pool) {
         pool.add(BodyDefinition.fixed(Polygon.box(14, 1)).at(0, -0.5));
-        double rise = LENGTH * Math.cos(LEAN) + THICK * Math.sin(LEAN);
-        double half = LENGTH / 2 * Math.sin(LEAN) + THICK / 2 * Math.cos(LEAN);
+        double rise = LENGTH * Angle.cos(LEAN) + THICK * Angle.sin(LEAN);
+        double half = LENGTH / 2 * Angle.sin(LEAN) + THICK / 2 * Angle.cos(LEAN);
         double pitch = 4 * half + 0.05;
         for (int storey = 0; storey < 4; storey++) {
             double y = storey * (rise + THICK);

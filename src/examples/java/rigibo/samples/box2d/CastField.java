@@ -1,6 +1,7 @@
 package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
@@ -32,8 +33,8 @@ public final class CastField implements Exhibit {
     public void sketch(Pool pool, Sketch sketch) {
         for (int i = 0; i < 30; i++) {
             double angle = turn + Math.PI * i / 15;
-            double x = 6 * Math.cos(angle);
-            double y = 6 * Math.sin(angle);
+            double x = 6 * Angle.cos(angle);
+            double y = 6 * Angle.sin(angle);
             pool.rayCast(0, 0, x, y)
                     .ifPresentOrElse(
                             hit -> {

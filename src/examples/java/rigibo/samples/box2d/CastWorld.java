@@ -2,6 +2,7 @@ package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RayHit;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Placement;
@@ -38,7 +39,7 @@ public final class CastWorld implements Exhibit {
 
     @Override
     public void sketch(Pool pool, Sketch sketch) {
-        double y = 3.2 * Math.sin(phase);
+        double y = 3.2 * Angle.sin(phase);
         pool.rayCast(-4.2, y, 4.2, y)
                 .ifPresentOrElse(
                         hit -> {

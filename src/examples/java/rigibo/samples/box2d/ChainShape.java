@@ -1,6 +1,7 @@
 package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
@@ -18,9 +19,9 @@ public final class ChainShape implements Exhibit {
         double[] xy = new double[48];
         for (int i = 0; i < 24; i++) {
             double angle = -Math.PI * i / 12;
-            double radius = 3.4 + 0.35 * Math.cos(6 * angle);
-            xy[2 * i] = radius * Math.cos(angle);
-            xy[2 * i + 1] = 4 + radius * Math.sin(angle);
+            double radius = 3.4 + 0.35 * Angle.cos(6 * angle);
+            xy[2 * i] = radius * Angle.cos(angle);
+            xy[2 * i + 1] = 4 + radius * Angle.sin(angle);
         }
         pool.add(BodyDefinition.fixed(Chain.loop(xy)));
         Shape[] shapes = {

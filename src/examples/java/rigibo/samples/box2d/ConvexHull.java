@@ -1,6 +1,7 @@
 package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Polygon;
 import rigibo.frontend.gallery.Exhibit;
@@ -23,8 +24,8 @@ public final class ConvexHull implements Exhibit {
     public void sketch(Pool pool, Sketch sketch) {
         double[] xy = new double[40];
         for (int i = 0; i < 20; i++) {
-            xy[2 * i] = 3 * Math.sin(1.7 * i + phase * (1 + i % 3));
-            xy[2 * i + 1] = 3 * Math.sin(2.9 * i + phase * (1 + i % 4));
+            xy[2 * i] = 3 * Angle.sin(1.7 * i + phase * (1 + i % 3));
+            xy[2 * i + 1] = 3 * Angle.sin(2.9 * i + phase * (1 + i % 4));
             sketch.point(xy[2 * i], xy[2 * i + 1], Sketch.Tone.PLAIN);
         }
         Polygon hull = Polygon.hull(xy);

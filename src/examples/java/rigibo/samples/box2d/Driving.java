@@ -6,6 +6,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.WheelJoint;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
@@ -30,7 +31,7 @@ public final class Driving implements Exhibit {
         for (int i = 0; i <= 60; i++) {
             double x = 12 - 0.5 * i;
             xy[2 * i] = x;
-            xy[2 * i + 1] = x < 4 ? 0.4 * Math.sin(x) : 0.4 * Math.sin(4);
+            xy[2 * i + 1] = x < 4 ? 0.4 * Angle.sin(x) : 0.4 * Angle.sin(4);
         }
         RigidBody road =
                 pool.add(BodyDefinition.fixed(Chain.open(xy)).material(new Material(1, 0.9, 0)));
@@ -38,7 +39,7 @@ public final class Driving implements Exhibit {
                 pool.add(BodyDefinition.dynamic(Polygon.box(3, 0.15)).at(6.5, 0.1).mass(40));
         pool.join(RevoluteJoint.at(road, saw, 6.5, 0.1).limits(-0.25, 0.25));
         double x = -8;
-        double y = 0.4 * Math.sin(x) + 1.3;
+        double y = 0.4 * Angle.sin(x) + 1.3;
         car = pool.add(BodyDefinition.dynamic(Polygon.box(2, 0.4)).at(x, y).mass(200));
         for (int side = -1; side <= 1; side += 2) {
             double at = x + 0.7 * side;

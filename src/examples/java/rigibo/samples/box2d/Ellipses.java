@@ -1,6 +1,7 @@
 package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -16,8 +17,8 @@ public final class Ellipses implements Exhibit {
         pool.add(BodyDefinition.fixed(Polygon.box(0.4, 6)).at(3.8, 3));
         double[] corners = new double[48];
         for (int i = 0; i < 24; i++) {
-            corners[2 * i] = 0.5 * Math.cos(Math.PI * i / 12);
-            corners[2 * i + 1] = 0.25 * Math.sin(Math.PI * i / 12);
+            corners[2 * i] = 0.5 * Angle.cos(Math.PI * i / 12);
+            corners[2 * i + 1] = 0.25 * Angle.sin(Math.PI * i / 12);
         }
         for (int i = 0; i < 40; i++) {
             pool.add(

@@ -5,6 +5,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -32,8 +33,8 @@ public final class FigureOfEight implements Exhibit {
     @Override
     public void beforeStep(Pool pool) {
         double t = pool.time() + DT;
-        double x = 3 * Math.sin(t);
-        double y = 1.5 * Math.sin(2 * t);
+        double x = 3 * Angle.sin(t);
+        double y = 1.5 * Angle.sin(2 * t);
         driven.velocity((x - driven.x()) / DT, (y - driven.y()) / DT);
         driven.spin((t - driven.angle()) / DT);
     }

@@ -3,6 +3,7 @@ package rigibo.samples.box2d;
 import rigibo.backend.Geometry;
 import rigibo.backend.Pool;
 import rigibo.backend.ShapeContact;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Placement;
@@ -37,7 +38,7 @@ public final class ManifoldSample implements Exhibit {
             double x = 1.8 * (i % SHAPES.length - 2);
             double y = 1.8 * (i / SHAPES.length - 2);
             Placement lower = new Placement(x, y - 0.4, turn);
-            Placement upper = new Placement(x + 0.1 * Math.sin(3 * turn), y + 0.5, -turn);
+            Placement upper = new Placement(x + 0.1 * Angle.sin(3 * turn), y + 0.5, -turn);
             draw(SHAPES[i % SHAPES.length], lower, SHAPES[i / SHAPES.length], upper, sketch);
         }
     }

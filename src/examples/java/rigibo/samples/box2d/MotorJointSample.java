@@ -7,6 +7,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
@@ -37,7 +38,7 @@ public final class MotorJointSample implements Exhibit {
     @Override
     public void beforeStep(Pool pool) {
         double angle = 0.8 * pool.time();
-        hand.target(2 * Math.sin(angle), HEIGHT + 0.8 * Math.sin(2 * angle));
+        hand.target(2 * Angle.sin(angle), HEIGHT + 0.8 * Angle.sin(2 * angle));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Polygon;
@@ -34,7 +35,7 @@ public final class OverlapWorld implements Exhibit {
 
     @Override
     public void sketch(Pool pool, Sketch sketch) {
-        Placement at = new Placement(2 * Math.sin(phase), 2 * Math.cos(1.4 * phase), phase);
+        Placement at = new Placement(2 * Angle.sin(phase), 2 * Angle.cos(1.4 * phase), phase);
         sketch.shape(LENS, at);
         pool.overlapping(
                 LENS, at, Filter.ALL, body -> sketch.point(body.x(), body.y(), Sketch.Tone.BAD));

@@ -5,6 +5,7 @@ import rigibo.backend.Explosion;
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
@@ -52,7 +53,7 @@ public final class Projectiles implements Exhibit {
     public void act(Pool pool, double x, double y) {
         double dx = x + 4;
         double dy = y - 2;
-        double way = Math.hypot(dx, dy);
+        double way = Length.hypot(dx, dy);
         shots.add(
                 pool.add(
                         BodyDefinition.dynamic(new Circle(0.15))

@@ -4,6 +4,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
@@ -28,8 +29,8 @@ public final class RayCast implements Exhibit {
     public void sketch(Pool pool, Sketch sketch) {
         for (int i = 0; i < 24; i++) {
             double angle = Math.PI * i / 12;
-            double x = 4.4 * Math.cos(angle);
-            double y = 4.4 * Math.sin(angle);
+            double x = 4.4 * Angle.cos(angle);
+            double y = 4.4 * Angle.sin(angle);
             pool.rayCast(x, y, target.x(), target.y())
                     .ifPresent(
                             hit -> {

@@ -5,6 +5,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.effect.Drag;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -22,7 +23,7 @@ public final class RingExplosion implements Exhibit {
             double angle = Math.PI * i / 18;
             pool.add(
                     BodyDefinition.dynamic(Polygon.box(0.3, 0.5))
-                            .at(2.2 * Math.cos(angle), 2.2 * Math.sin(angle))
+                            .at(2.2 * Angle.cos(angle), 2.2 * Angle.sin(angle))
                             .angle(angle)
                             .material(new Material(1, 0.3, 0.2).drag(0.6)));
         }

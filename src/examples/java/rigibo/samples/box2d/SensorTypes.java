@@ -4,6 +4,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Sensors;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -38,7 +39,7 @@ public final class SensorTypes implements Exhibit {
 
     @Override
     public void beforeStep(Pool pool) {
-        driven.velocity(1.2 * Math.cos(pool.time()), 0);
+        driven.velocity(1.2 * Angle.cos(pool.time()), 0);
     }
 
     @Override

@@ -2,6 +2,7 @@ package rigibo.samples.box2d;
 
 import rigibo.backend.Geometry;
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
@@ -28,7 +29,7 @@ public final class ShapeCast implements Exhibit {
 
     @Override
     public void sketch(Pool pool, Sketch sketch) {
-        Placement from = new Placement(-3, 1.6 * Math.sin(turn), turn);
+        Placement from = new Placement(-3, 1.6 * Angle.sin(turn), turn);
         double way = 6.5;
         double share = Geometry.cast(MOVING, from, way, 0, TARGET, Placement.at(1.5, 0)).orElse(1);
         sketch.shape(MOVING, from);

@@ -6,6 +6,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.ShapeGap;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Polygon;
@@ -30,7 +31,7 @@ public final class ShapeDistance implements Exhibit {
 
     @Override
     public void beforeStep(Pool pool) {
-        moving.velocity(-2.2 * Math.sin(0.8 * pool.time()), 2.2 * Math.cos(0.8 * pool.time()));
+        moving.velocity(-2.2 * Angle.sin(0.8 * pool.time()), 2.2 * Angle.cos(0.8 * pool.time()));
     }
 
     @Override

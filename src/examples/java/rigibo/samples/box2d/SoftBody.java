@@ -5,6 +5,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -28,22 +29,24 @@ public final class SoftBody implements Exhibit {
         pool.add(BodyDefinition.fixed(Polygon.box(4, 0.4)).at(-1.5, 2.2).angle(-0.4));
         pool.add(BodyDefinition.fixed(Polygon.box(0.4, 2)).at(4, 1));
         double radius = 1;
-        double half = radius * Math.sin(Math.PI / SIDES);
+        double half = radius * Angle.sin(Math.PI / SIDES);
         RigidBody[] ring = new RigidBody[SIDES];
         for (int i = 0; i < SIDES; i++) {
             double angle = 2 * Math.PI * i / SIDES;
             ring[i] =
                     pool.add(
                             BodyDefinition.dynamic(new Capsule(half - 0.08, 0.14))
-                                    .at(-2 + radius * Math.cos(angle), 5 + radius * Math.sin(angle))
+                                    .at(
+                                            -2 + radius * Angle.cos(angle),
+                                            5 + radius * Angle.sin(angle))
                                     .angle(angle + Math.PI / 2)
                                     .material(new Material(100, 0.6, 0)));
         }
-        double corner = radius / Math.cos(Math.PI / SIDES);
+        double corner = radius / Angle.cos(Math.PI / SIDES);
         for (int i = 0; i < SIDES; i++) {
             double angle = 2 * Math.PI * (i + 0.5) / SIDES;
-            double x = -2 + corner * Math.cos(angle);
-            double y = 5 + corner * Math.sin(angle);
+            double x = -2 + corner * Angle.cos(angle);
+            double y = 5 + corner * Angle.sin(angle);
             pool.join(WeldJoint.at(ring[i], ring[(i + 1) % SIDES], x, y).spring(15, 0.3));
         }
     }

@@ -1,6 +1,7 @@
 package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
@@ -24,7 +25,7 @@ public final class Spinner implements Exhibit {
             double angle = Math.PI * i / 24;
             ring.add(
                     Part.of(Polygon.box(0.3, 0.6))
-                            .at(4 * Math.cos(angle), 4 * Math.sin(angle))
+                            .at(4 * Angle.cos(angle), 4 * Angle.sin(angle))
                             .angle(angle));
         }
         pool.add(BodyDefinition.fixed(Compound.of(ring)).at(0, 4));

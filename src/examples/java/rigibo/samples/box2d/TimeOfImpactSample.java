@@ -3,6 +3,7 @@ package rigibo.samples.box2d;
 import rigibo.backend.Geometry;
 import rigibo.backend.Movement;
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Placement;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
@@ -33,7 +34,7 @@ public final class TimeOfImpactSample implements Exhibit {
 
     @Override
     public void sketch(Pool pool, Sketch sketch) {
-        Placement from = new Placement(-3, Math.sin(phase), 0);
+        Placement from = new Placement(-3, Angle.sin(phase), 0);
         Movement way = new Movement(from, 6, 0, 9);
         OptionalDouble time =
                 Geometry.timeOfImpact(ROD, way, BOX, new Movement(BOX_AT, 0, 0, 0), 1);

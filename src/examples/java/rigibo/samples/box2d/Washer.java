@@ -1,6 +1,7 @@
 package rigibo.samples.box2d;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
@@ -21,12 +22,12 @@ public final class Washer implements Exhibit {
             double angle = Math.PI * i / 15;
             parts.add(
                     Part.of(Polygon.box(0.3, 0.84))
-                            .at(3.8 * Math.cos(angle), 3.8 * Math.sin(angle))
+                            .at(3.8 * Angle.cos(angle), 3.8 * Angle.sin(angle))
                             .angle(angle));
             if (i % 6 == 0) {
                 parts.add(
                         Part.of(Polygon.box(0.8, 0.15))
-                                .at(3.3 * Math.cos(angle), 3.3 * Math.sin(angle))
+                                .at(3.3 * Angle.cos(angle), 3.3 * Angle.sin(angle))
                                 .angle(angle));
             }
         }

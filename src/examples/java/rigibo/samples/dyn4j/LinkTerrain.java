@@ -1,6 +1,7 @@
 package rigibo.samples.dyn4j;
 
 import rigibo.backend.Pool;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
@@ -20,7 +21,7 @@ public final class LinkTerrain implements Exhibit {
         for (int i = 0; i <= 40; i++) {
             double x = 6 - 0.3 * i;
             xy[2 * i] = x;
-            xy[2 * i + 1] = 1.2 - 0.35 * x + 0.35 * Math.sin(1.9 * x);
+            xy[2 * i + 1] = 1.2 - 0.35 * x + 0.35 * Angle.sin(1.9 * x);
         }
         pool.add(BodyDefinition.fixed(Chain.open(xy)));
         Shape[] shapes = {

@@ -4,6 +4,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
@@ -30,12 +31,12 @@ public final class ThrustShip implements Exhibit {
     /** Holds a height and an upright pose by force and torque, as a pilot would. */
     @Override
     public void beforeStep(Pool pool) {
-        double wanted = 4 + 1.5 * Math.sin(pool.time());
+        double wanted = 4 + 1.5 * Angle.sin(pool.time());
         double lift = ship.mass() * (9.81 + 3 * (wanted - ship.y()) - 3 * ship.velocityY());
         double up = Math.max(0, lift);
         double lean = -ship.angle();
         ship.applyForce(
-                -up * Math.sin(ship.angle()), up * Math.cos(ship.angle()), ship.x(), ship.y());
+                -up * Angle.sin(ship.angle()), up * Angle.cos(ship.angle()), ship.x(), ship.y());
         ship.applyTorque(ship.inertia() * (20 * lean - 6 * ship.angularVelocity()));
     }
 
