@@ -125,7 +125,8 @@ final class CarDemo implements Demo {
     public List<Widget> widgets() {
         return List.of(
                 new Slider(
-                        words.of("car.speed"),
+                        words,
+                        "car.speed",
                         "%.0f rad/s",
                         -FASTEST,
                         FASTEST,
@@ -133,7 +134,8 @@ final class CarDemo implements Demo {
                         () -> settings.speed,
                         this::drive),
                 new Slider(
-                        words.of("car.torque"),
+                        words,
+                        "car.torque",
                         "%.0f Nm",
                         0,
                         800,
@@ -141,7 +143,8 @@ final class CarDemo implements Demo {
                         () -> settings.torque,
                         this::push),
                 new Slider(
-                        words.of("car.springs"),
+                        words,
+                        "car.springs",
                         "%.0f Hz",
                         4,
                         16,
@@ -149,7 +152,8 @@ final class CarDemo implements Demo {
                         () -> settings.hertz,
                         this::spring),
                 new Slider(
-                        words.of("car.damping"),
+                        words,
+                        "car.damping",
                         "%.1f",
                         0,
                         1.5,
@@ -157,15 +161,10 @@ final class CarDemo implements Demo {
                         () -> settings.damping,
                         this::damp),
                 new Slider(
-                        words.of("car.load"),
-                        "%.0f kg",
-                        10,
-                        300,
-                        10,
-                        () -> settings.load,
-                        this::load),
+                        words, "car.load", "%.0f kg", 10, 300, 10, () -> settings.load, this::load),
                 new Slider(
-                        words.of("car.place"),
+                        words,
+                        "car.place",
                         "%.1f m",
                         -0.5,
                         0.3,
@@ -183,9 +182,9 @@ final class CarDemo implements Demo {
                 new Readout("", () -> Car.FORMULA),
                 new Readout(words.of("car.velocity"), () -> metresPerSecond(car.speed())),
                 new Readout(words.of("car.slip"), () -> metresPerSecond(car.slip())),
-                new Readout(words.of("car.sag"), () -> Metres.words(track.sag())),
+                new Readout(words.of("car.sag"), () -> Metres.words(words, track.sag())),
                 new Readout(words.of("car.pull"), this::pull),
-                new Readout(words.of("car.gap"), () -> Metres.words(track.gap())));
+                new Readout(words.of("car.gap"), () -> Metres.words(words, track.gap())));
     }
 
     private void drive(double speed) {
@@ -247,12 +246,12 @@ final class CarDemo implements Demo {
         return track;
     }
 
-    private static String newtons(double load) {
-        return Fixed.words("%.0f N", load);
+    private String newtons(double load) {
+        return Fixed.words(words, "%.0f N", load);
     }
 
-    private static String metresPerSecond(double value) {
-        return Fixed.words("%.2f m/s", value);
+    private String metresPerSecond(double value) {
+        return Fixed.words(words, "%.2f m/s", value);
     }
 
     private String pull() {

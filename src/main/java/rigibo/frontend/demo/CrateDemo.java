@@ -27,7 +27,6 @@ import rigibo.frontend.scene.widget.Widget;
 
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /** Creation and motion of rigid bodies: crates that stack, tumble, rest and fly apart. */
@@ -182,9 +181,10 @@ final class CrateDemo implements Demo {
                 new Button(words.of("crate.stack", 20), () -> stack(20)),
                 new Button(words.of("crate.pyramid"), this::pyramid),
                 new Button(words.of("crate.blast"), () -> blast(MIDDLE, 0.3)),
-                new Slider(words.of("crate.rows"), "%.0f", 4, 20, 1, () -> rows, v -> rows = v),
+                new Slider(words, "crate.rows", "%.0f", 4, 20, 1, () -> rows, v -> rows = v),
                 new Slider(
-                        words.of("crate.size"),
+                        words,
+                        "crate.size",
                         "%.1f m",
                         0.3,
                         1,
@@ -192,17 +192,18 @@ final class CrateDemo implements Demo {
                         () -> size,
                         value -> size = value),
                 new Slider(
-                        words.of("crate.mass"),
+                        words,
+                        "crate.mass",
                         "%.0f kg",
                         1,
                         50,
                         1,
                         () -> mass,
                         value -> mass = value),
+                new Slider(words, "crate.ratio", "%.0f ×", 1, 100, 1, () -> ratio, v -> ratio = v),
                 new Slider(
-                        words.of("crate.ratio"), "%.0f ×", 1, 100, 1, () -> ratio, v -> ratio = v),
-                new Slider(
-                        words.of("crate.overhang"),
+                        words,
+                        "crate.overhang",
                         "%.2f",
                         0.1,
                         0.9,
@@ -256,11 +257,11 @@ final class CrateDemo implements Demo {
     /** Energy of motion and of height above the floor. */
     private String energy() {
         double joules = bench.pool().kineticEnergy() + bench.pool().potentialEnergy();
-        return String.format(Locale.ROOT, "%.2f J", joules);
+        return words.number("%.2f J", joules);
     }
 
-    private static String millis(double metres) {
-        return String.format(Locale.ROOT, "%.3f mm", 1000 * metres);
+    private String millis(double metres) {
+        return words.number("%.3f mm", 1000 * metres);
     }
 
     @Override

@@ -7,7 +7,6 @@ import rigibo.frontend.scene.widget.Readout;
 import rigibo.frontend.scene.widget.Widget;
 
 import java.util.ArrayDeque;
-import java.util.Locale;
 import java.util.Queue;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
@@ -121,9 +120,9 @@ final class Crews {
     }
 
     /** Three digits, so that two times have room beside each other. */
-    private static String digits(double millis) {
+    private String digits(double millis) {
         int decimals = millis < 10 ? 2 : millis < 100 ? 1 : 0;
-        return String.format(Locale.ROOT, "%." + decimals + "f", millis);
+        return words.number("%." + decimals + "f", millis);
     }
 
     /** Numbers of bodies; that of a search that goes on ends in dots. */

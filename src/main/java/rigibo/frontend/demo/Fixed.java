@@ -1,6 +1,6 @@
 package rigibo.frontend.demo;
 
-import java.util.Locale;
+import rigibo.frontend.scene.Words;
 
 /** Formats values with a fixed number of places. */
 final class Fixed {
@@ -8,9 +8,9 @@ final class Fixed {
     private Fixed() {}
 
     /** A value by a format; what rounds to zero has no sign, which would flicker with round-off. */
-    static String words(String format, double value) {
-        String words = String.format(Locale.ROOT, format, value);
-        String zero = String.format(Locale.ROOT, format, 0.0);
+    static String words(Words language, String format, double value) {
+        String words = language.number(format, value);
+        String zero = language.number(format, 0.0);
         return words.equals("-" + zero) ? zero : words;
     }
 }

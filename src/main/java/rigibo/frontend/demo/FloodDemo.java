@@ -30,7 +30,6 @@ import rigibo.frontend.scene.widget.Widget;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
-import java.util.Locale;
 import java.util.SplittableRandom;
 
 /**
@@ -157,15 +156,10 @@ final class FloodDemo implements Demo {
     public List<Widget> widgets() {
         return List.of(
                 new Slider(
-                        words.of("flood.count"),
-                        "%.0f",
-                        0,
-                        4000,
-                        100,
-                        () -> wanted,
-                        v -> wanted = v),
+                        words, "flood.count", "%.0f", 0, 4000, 100, () -> wanted, v -> wanted = v),
                 new Slider(
-                        words.of("flood.elasticity"),
+                        words,
+                        "flood.elasticity",
                         "%.2f",
                         0,
                         1,
@@ -173,13 +167,7 @@ final class FloodDemo implements Demo {
                         () -> elasticity,
                         v -> elasticity = v),
                 new Slider(
-                        words.of("flood.size"),
-                        "%.2f m",
-                        0.1,
-                        0.4,
-                        0.02,
-                        () -> size,
-                        v -> size = v),
+                        words, "flood.size", "%.2f m", 0.1, 0.4, 0.02, () -> size, v -> size = v),
                 new Toggle(
                         words.of("flood.boxes"), () -> isBoxes, () -> switchTo(isBoxes = !isBoxes)),
                 new Toggle(
@@ -201,9 +189,9 @@ final class FloodDemo implements Demo {
                 new Readout(words.of("flood.drawn"), () -> crews.held(Crew::heldDrawn)),
                 new Readout(words.of("flood.alone"), () -> crews.held(Crew::heldAlone)),
                 new Readout(words.of("flood.overlap"), this::overlap),
-                new Readout(words.of("flood.rise"), reference::predictedWords),
+                new Readout(words.of("flood.rise"), () -> reference.predictedIn(words)),
                 new Readout("", () -> ReferenceBall.FORMULA),
-                new Readout("  " + words.of("flood.seen"), reference::seenWords));
+                new Readout("  " + words.of("flood.seen"), () -> reference.seenIn(words)));
     }
 
     /** Changes the declared effects; the pool uses them from the next step on. */
@@ -317,6 +305,6 @@ final class FloodDemo implements Demo {
 
     private String overlap() {
         double metres = bench.pool().report().deepestOverlap();
-        return String.format(Locale.ROOT, "%.1f mm", 1000 * metres);
+        return words.number("%.1f mm", 1000 * metres);
     }
 }

@@ -19,7 +19,6 @@ import rigibo.frontend.scene.widget.Widget;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
 /**
  * Three lanes of ice, wood and rubber: where a launched box stops, as predicted and as simulated.
@@ -97,11 +96,11 @@ final class FrictionDemo implements Demo {
     @Override
     public List<Widget> widgets() {
         List<Widget> widgets = new ArrayList<>();
-        widgets.add(
-                new Slider(words.of("friction.ramp"), "%.0f°", 0, 60, 1, () -> slope, this::tilt));
+        widgets.add(new Slider(words, "friction.ramp", "%.0f°", 0, 60, 1, () -> slope, this::tilt));
         widgets.add(
                 new Slider(
-                        words.of("friction.speed"),
+                        words,
+                        "friction.speed",
                         "%.1f m/s",
                         1,
                         8,
@@ -110,13 +109,7 @@ final class FrictionDemo implements Demo {
                         v -> speed = v));
         widgets.add(
                 new Slider(
-                        words.of("friction.mass"),
-                        "%.0f kg",
-                        1,
-                        100,
-                        1,
-                        () -> mass,
-                        v -> mass = v));
+                        words, "friction.mass", "%.0f kg", 1, 100, 1, () -> mass, v -> mass = v));
         widgets.add(new Button(words.of("friction.launch"), this::launch));
         for (Lane lane : lanes) {
             widgets.add(new Readout(name(lane), () -> limit(lane)));
@@ -143,26 +136,27 @@ final class FrictionDemo implements Demo {
     }
 
     /** The steepest ramp on which the lane holds a box: arctan μ. */
-    private static String limit(Lane lane) {
+    private String limit(Lane lane) {
         double degrees = Math.toDegrees(Math.atan(lane.friction));
-        return String.format(Locale.ROOT, "µ %.2f, to %.1f°", lane.friction, degrees);
+        return words.of(
+                "friction.limit",
+                words.number("%.2f", lane.friction),
+                words.number("%.1f", degrees));
     }
 
-    private static String metres(double length) {
-        return String.format(Locale.ROOT, "%.3f m", length);
+    private String metres(double length) {
+        return words.number("%.3f m", length);
     }
 
     private String error(Lane lane) {
         double millis = 1000 * (lane.farthest() - lane.predicted());
-        return lane.hasTurned()
-                ? String.format(Locale.ROOT, "%+.3f mm", millis)
-                : words.of("friction.going");
+        return lane.hasTurned() ? words.number("%+.3f mm", millis) : words.of("friction.going");
     }
 
     /** Energy that friction has taken out of the launches. */
     private String heat() {
         double joules = lanes.stream().mapToDouble(Lane::heat).sum();
-        return String.format(Locale.ROOT, "%.1f J", joules);
+        return words.number("%.1f J", joules);
     }
 
     /**

@@ -24,7 +24,6 @@ import rigibo.frontend.scene.widget.Widget;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
 
 /** Joints: a pendulum whose period is known, two in chaos, a chain that must not stretch. */
@@ -123,23 +122,10 @@ final class PendulumDemo implements Demo {
                         () -> kind.ordinal(),
                         this::choose),
                 new Slider(
-                        words.of("pendulum.amplitude"),
-                        "%.0f°",
-                        0,
-                        179,
-                        1,
-                        () -> degrees,
-                        this::turn),
+                        words, "pendulum.amplitude", "%.0f°", 0, 179, 1, () -> degrees, this::turn),
                 new Slider(
-                        words.of("pendulum.length"),
-                        "%.1f m",
-                        0.4,
-                        2,
-                        0.1,
-                        () -> length,
-                        this::size),
-                new Slider(
-                        words.of("pendulum.ratio"), "10^%.1f", 0, 4, 0.5, () -> power, this::weigh),
+                        words, "pendulum.length", "%.1f m", 0.4, 2, 0.1, () -> length, this::size),
+                new Slider(words, "pendulum.ratio", "10^%.1f", 0, 4, 0.5, () -> power, this::weigh),
                 new Button(words.of("pendulum.again"), this::lay),
                 new Readout(words.of("pendulum.predicted"), () -> seconds(predicted())),
                 new Readout("", () -> Swing.FORMULA),
@@ -236,34 +222,32 @@ final class PendulumDemo implements Demo {
         return power(Math.abs(measured.getAsDouble() / predicted.getAsDouble() - 1));
     }
 
-    private static String seconds(OptionalDouble value) {
+    private String seconds(OptionalDouble value) {
         return words(value, "%.6f s");
     }
 
-    private static String newtons(OptionalDouble value) {
+    private String newtons(OptionalDouble value) {
         return words(value, "%.3f N");
     }
 
-    private static String words(OptionalDouble value, String format) {
-        return value.isPresent()
-                ? String.format(Locale.ROOT, format, value.getAsDouble())
-                : NOTHING;
+    private String words(OptionalDouble value, String format) {
+        return value.isPresent() ? words.number(format, value.getAsDouble()) : NOTHING;
     }
 
-    private static String power(double value) {
-        return String.format(Locale.ROOT, "%.1e", value);
+    private String power(double value) {
+        return words.number("%.1e", value);
     }
 
     private String energy() {
-        return String.format(Locale.ROOT, "%.4f J", hang.energy());
+        return words.number("%.4f J", hang.energy());
     }
 
     private String drift() {
-        return isFree() ? String.format(Locale.ROOT, "%+.1e", energyDrift()) : NOTHING;
+        return isFree() ? words.number("%+.1e", energyDrift()) : NOTHING;
     }
 
     private String stretch() {
-        return hang.isWhole() ? Metres.words(hang.stretch() * hang.length) : NOTHING;
+        return hang.isWhole() ? Metres.words(words, hang.stretch() * hang.length) : NOTHING;
     }
 
     /**

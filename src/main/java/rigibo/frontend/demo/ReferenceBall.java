@@ -8,8 +8,8 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Skin;
+import rigibo.frontend.scene.Words;
 
-import java.util.Locale;
 import java.util.function.DoubleSupplier;
 
 /**
@@ -79,13 +79,13 @@ final class ReferenceBall {
     }
 
     /** Height of the present rise by the formula. */
-    String predictedWords() {
-        return String.format(Locale.ROOT, "%.4f m", predicted());
+    String predictedIn(Words words) {
+        return words.number("%.4f m", predicted());
     }
 
     /** Height of the present rise in the pool. */
-    String seenWords() {
-        return String.format(Locale.ROOT, "%.4f m", risen);
+    String seenIn(Words words) {
+        return words.number("%.4f m", risen);
     }
 
     /** A mark at the height that the middle of the ball must reach. */

@@ -6,8 +6,6 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Words;
 
-import java.util.Locale;
-
 /**
  * The time of a frame by stages of a step and drawing, smoothed and stacked, against the 16.7 ms
  * that a frame may take.
@@ -111,9 +109,9 @@ final class StageProfile {
         canvas.text(words, x, y, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
     }
 
-    private static void number(Canvas canvas, double millis, double x, double y) {
+    private void number(Canvas canvas, double millis, double x, double y) {
         canvas.text(
-                String.format(Locale.ROOT, "%.2f ms", millis),
+                words.number("%.2f ms", millis),
                 x,
                 y,
                 16,

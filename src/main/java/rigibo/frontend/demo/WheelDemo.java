@@ -29,7 +29,6 @@ import rigibo.frontend.scene.widget.Toggle;
 import rigibo.frontend.scene.widget.Widget;
 
 import java.util.List;
-import java.util.Locale;
 
 /** Rotation: a wheel on a ramp, driven or braked, rolling or slipping as the formula predicts. */
 final class WheelDemo implements Demo {
@@ -142,10 +141,11 @@ final class WheelDemo implements Demo {
     @Override
     public List<Widget> widgets() {
         return List.of(
-                new Slider(words.of("wheel.ramp"), "%.0f°", 0, 45, 1, () -> slope, this::tilt),
-                new Slider(words.of("wheel.grip"), "%.2f", 0, 1, 0.05, () -> friction, this::grip),
+                new Slider(words, "wheel.ramp", "%.0f°", 0, 45, 1, () -> slope, this::tilt),
+                new Slider(words, "wheel.grip", "%.2f", 0, 1, 0.05, () -> friction, this::grip),
                 new Slider(
-                        words.of("wheel.rolling"),
+                        words,
+                        "wheel.rolling",
                         "%.0f mm",
                         0,
                         20,
@@ -153,7 +153,8 @@ final class WheelDemo implements Demo {
                         () -> 1000 * lever,
                         this::resist),
                 new Slider(
-                        words.of("wheel.torque"),
+                        words,
+                        "wheel.torque",
                         "%.0f Nm",
                         -60,
                         60,
@@ -161,7 +162,8 @@ final class WheelDemo implements Demo {
                         () -> torque,
                         v -> torque = v),
                 new Slider(
-                        words.of("wheel.thrust"),
+                        words,
+                        "wheel.thrust",
                         "%.0f N",
                         -120,
                         120,
@@ -272,7 +274,7 @@ final class WheelDemo implements Demo {
 
     private String share() {
         double used = grip() > 0 ? Math.min(1, Math.abs(measured - pull()) / grip()) : 0;
-        return String.format(Locale.ROOT, "%.0f %%", 100 * used);
+        return words.number("%.0f %%", 100 * used);
     }
 
     /** Acceleration down the ramp in the last step, m/s²: by the formula, and as measured. */
@@ -319,11 +321,11 @@ final class WheelDemo implements Demo {
         canvas.disc(tipX, tipY, 6, Color.GOOD);
     }
 
-    private static String metres(double speed) {
-        return Fixed.words("%.3f m/s", speed);
+    private String metres(double speed) {
+        return Fixed.words(words, "%.3f m/s", speed);
     }
 
-    private static String acceleration(double value) {
-        return Fixed.words("%.3f m/s²", value);
+    private String acceleration(double value) {
+        return Fixed.words(words, "%.3f m/s²", value);
     }
 }

@@ -40,7 +40,8 @@ final class ExpertPlate {
     private List<Widget> sliders(Half half) {
         return List.of(
                 new Slider(
-                        words.of("laboratory.substeps"),
+                        words,
+                        "laboratory.substeps",
                         "%.0f",
                         1,
                         MOST_SUBSTEPS,
@@ -48,7 +49,8 @@ final class ExpertPlate {
                         () -> half.accuracy().substeps(),
                         count -> half.choose(half.accuracy().withSubsteps((int) count))),
                 new Slider(
-                        words.of("laboratory.iterations"),
+                        words,
+                        "laboratory.iterations",
                         "%.0f",
                         1,
                         MOST_ITERATIONS,
@@ -56,7 +58,8 @@ final class ExpertPlate {
                         () -> half.accuracy().velocityIterations(),
                         count -> half.choose(half.accuracy().withVelocityIterations((int) count))),
                 new Slider(
-                        words.of("laboratory.tolerance"),
+                        words,
+                        "laboratory.tolerance",
                         "1e%.0f m",
                         FINEST,
                         COARSEST,
@@ -64,7 +67,8 @@ final class ExpertPlate {
                         () -> Math.log10(half.accuracy().impactTolerance()),
                         power -> half.choose(tolerant(half.accuracy(), power))),
                 new Slider(
-                        words.of("laboratory.impacts"),
+                        words,
+                        "laboratory.impacts",
                         "%.0f",
                         LEAST_IMPACTS,
                         MOST_IMPACTS,

@@ -10,7 +10,6 @@ import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
 
 import java.util.List;
-import java.util.Locale;
 
 /** A quantity of both worlds, now and over the last ten seconds, with a note below. */
 final class GraphPlate {
@@ -48,7 +47,7 @@ final class GraphPlate {
     /** Draws the distance of the worlds, on a logarithmic scale. */
     void drawDistance(Canvas canvas, Divergence divergence, String note) {
         head(canvas, words.of("laboratory.distance"));
-        number(canvas, Metres.words(divergence.distance()), right());
+        number(canvas, Metres.words(words, divergence.distance()), right());
         String told = divergence.parting().map(parting -> parting.in(words)).orElse(note);
         Plate graph = note(canvas, told, divergence.parting().isPresent());
         curve.draw(canvas, divergence, graph.x(), graph.y(), graph.width(), graph.height());
@@ -127,12 +126,12 @@ final class GraphPlate {
     }
 
     /** With no digit that says nothing; what is tiny by its power of ten. */
-    private static String number(double value) {
+    private String number(double value) {
         if (value != 0 && Math.abs(value) < TINY) {
-            return String.format(Locale.ROOT, "%.1e", value);
+            return words.number("%.1e", value);
         }
-        String digits = String.format(Locale.ROOT, "%.4f", value);
-        return digits.replaceFirst("\\.?0+$", "").replaceFirst("^-0$", "0");
+        String digits = words.number("%.4f", value);
+        return digits.replaceFirst("[.,]?0+$", "").replaceFirst("^-0$", "0");
     }
 
     private double left() {

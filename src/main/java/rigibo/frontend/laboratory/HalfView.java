@@ -10,7 +10,6 @@ import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
-import java.util.Locale;
 
 /** Draws a half: a plate with its switch and readouts, and the room below. */
 final class HalfView {
@@ -117,14 +116,14 @@ final class HalfView {
 
     private String millis(Layout layout) {
         String digits = layout.type() > 1.2 ? "%.2f ms" : "%.3f ms";
-        return String.format(Locale.ROOT, digits, half.medianMillis());
+        return words.number(digits, half.medianMillis());
     }
 
     /** With as many digits as there is room for beside its name. */
     private String energy(Layout layout) {
         String digits = layout.type() > 1.2 ? "%.2f %%" : layout.type() > 1 ? "%.4f %%" : "%.7f %%";
         double percent = 100 * half.energyShare();
-        return words.of("laboratory.share", String.format(Locale.ROOT, digits, percent));
+        return words.of("laboratory.share", words.number(digits, percent));
     }
 
     private static void words(

@@ -15,7 +15,6 @@ import rigibo.frontend.scene.widget.Plate;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -193,7 +192,7 @@ final class LaboratoryScene implements Scene {
         if (one == 0 || other == 0) {
             return words.of("laboratory.ask");
         }
-        String times = String.format(Locale.ROOT, "%.2f", other / one);
+        String times = words.number("%.2f", other / one);
         return words.of("laboratory.ratio", rightView.name(), times, leftView.name());
     }
 

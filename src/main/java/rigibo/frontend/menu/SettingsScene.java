@@ -55,7 +55,8 @@ public final class SettingsScene implements Scene {
                         () -> LANGUAGES.indexOf(settings().language()),
                         index -> choose(settings().withLanguage(LANGUAGES.get(index)))),
                 new Slider(
-                        words.of("settings.volume"),
+                        words,
+                        "settings.volume",
                         "%.0f %%",
                         0,
                         100,
@@ -63,7 +64,8 @@ public final class SettingsScene implements Scene {
                         () -> 100 * settings().volume(),
                         percent -> choose(settings().withVolume(percent / 100))),
                 new Slider(
-                        words.of("settings.music"),
+                        words,
+                        "settings.music",
                         "%.0f %%",
                         0,
                         100,

@@ -64,6 +64,15 @@ public final class Words {
         return isLetter ? key.name() : of("key." + key.name().toLowerCase(Locale.ROOT));
     }
 
+    /**
+     * A number as it is written in the language, with its decimal mark.
+     *
+     * @param format as of {@link java.util.Formatter}, such as {@code %.2f m}
+     */
+    public String number(String format, double value) {
+        return String.format(locale, format, value);
+    }
+
     /** The language, for numbers and for the texts that levels bring. */
     public Locale locale() {
         return locale;

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import rigibo.frontend.scene.Words;
+
 class FixedTest {
 
     @ParameterizedTest
@@ -17,6 +19,6 @@ class FixedTest {
         "4.3725, 4.373 m/s"
     })
     void onlyWhatRoundsToZeroLosesItsSign(double value, String words) {
-        assertThat(Fixed.words("%.3f m/s", value)).isEqualTo(words);
+        assertThat(Fixed.words(new Words("en"), "%.3f m/s", value)).isEqualTo(words);
     }
 }

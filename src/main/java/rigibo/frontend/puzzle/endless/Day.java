@@ -14,7 +14,6 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.LongStream;
@@ -71,7 +70,7 @@ public record Day(LocalDate date) implements Occasion {
     }
 
     private static List<String> line(Words words, LocalDate day, DayResult result) {
-        String time = String.format(Locale.ROOT, "%.2f", result.seconds());
+        String time = words.number("%.2f", result.seconds());
         return List.of(
                 day.toString(),
                 words.of("made.clicks", result.clicks()),

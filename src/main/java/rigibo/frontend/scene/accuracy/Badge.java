@@ -2,8 +2,6 @@ package rigibo.frontend.scene.accuracy;
 
 import rigibo.frontend.scene.Words;
 
-import java.util.Locale;
-
 /**
  * Cost and error of the accuracy in few words; unknown values are shown as "…".
  *
@@ -46,12 +44,12 @@ public record Badge(Words words) {
         return words.of("badge.error", UNKNOWN);
     }
 
-    private static String metres(double metres) {
+    private String metres(double metres) {
         if (metres == 0) {
             return "0 m";
         }
         return metres < PLAIN
-                ? String.format(Locale.ROOT, "%.0e m", metres).replace("e-0", "e-")
+                ? words.number("%.0e m", metres).replace("e-0", "e-")
                 : digits(metres) + " m";
     }
 
@@ -66,8 +64,8 @@ public record Badge(Words words) {
     }
 
     /** Two digits that count, and never less than a unit's place. */
-    private static String digits(double value) {
+    private String digits(double value) {
         String format = value < 0.095 ? "%.3f" : value < 0.95 ? "%.2f" : "%.1f";
-        return String.format(Locale.ROOT, value < 9.95 ? format : "%.0f", value);
+        return words.number(value < 9.95 ? format : "%.0f", value);
     }
 }

@@ -141,7 +141,7 @@ public final class EnergyPlate {
         canvas.graph(curve, count, from, y + 2, length, GRAPH_HEIGHT - 4, Color.BRASS);
     }
 
-    private static void row(
+    private void row(
             Canvas canvas,
             String words,
             double joules,
@@ -158,8 +158,14 @@ public final class EnergyPlate {
         canvas.text(words, x, y, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
     }
 
-    private static void number(Canvas canvas, double joules, double right, double y, Color color) {
+    private void number(Canvas canvas, double joules, double right, double y, Color color) {
         canvas.text(
-                Joules.words(joules), right, y, 16, Canvas.Font.NUMBERS, Canvas.Align.RIGHT, color);
+                Joules.words(words, joules),
+                right,
+                y,
+                16,
+                Canvas.Font.NUMBERS,
+                Canvas.Align.RIGHT,
+                color);
     }
 }

@@ -1,6 +1,6 @@
 package rigibo.frontend.scene.accuracy;
 
-import java.util.Locale;
+import rigibo.frontend.scene.Words;
 
 /** Formats an energy, short enough for a column. */
 final class Joules {
@@ -13,19 +13,19 @@ final class Joules {
 
     private Joules() {}
 
-    static String words(double joules) {
+    static String words(Words words, double joules) {
         double size = Math.abs(joules);
         if (size == 0) {
             return "0 J";
         }
         if (size < LEAST_PLAIN) {
-            return String.format(Locale.ROOT, "%.0e J", joules).replace("e-0", "e-");
+            return words.number("%.0e J", joules).replace("e-0", "e-");
         }
         if (size < KILO) {
-            return String.format(Locale.ROOT, size < 100 ? "%.2f J" : "%.1f J", joules);
+            return words.number(size < 100 ? "%.2f J" : "%.1f J", joules);
         }
         return size < MEGA
-                ? String.format(Locale.ROOT, "%.1f kJ", joules / KILO)
-                : String.format(Locale.ROOT, "%.0f kJ", joules / KILO);
+                ? words.number("%.1f kJ", joules / KILO)
+                : words.number("%.0f kJ", joules / KILO);
     }
 }

@@ -2,8 +2,6 @@ package rigibo.frontend.scene.effects;
 
 import rigibo.frontend.scene.Words;
 
-import java.util.Locale;
-
 /**
  * Words a measured cost without claiming more than was measured.
  *
@@ -46,19 +44,19 @@ record CostWords(Words words) {
         return Math.abs(cost.mean()) + cost.noise();
     }
 
-    private static String sure(Estimate cost) {
+    private String sure(Estimate cost) {
         return time(Math.abs(cost.mean())) + " ± " + time(cost.noise());
     }
 
     /** A time in ns with two or three digits that count. */
-    static String time(double nanos) {
+    String time(double nanos) {
         if (nanos >= MILLISECOND) {
-            return String.format(Locale.ROOT, "%.2f ms", nanos / MILLISECOND);
+            return words.number("%.2f ms", nanos / MILLISECOND);
         }
         String format =
                 nanos >= 100 * MICROSECOND
                         ? "%.0f µs"
                         : nanos >= 10 * MICROSECOND ? "%.1f µs" : "%.2f µs";
-        return String.format(Locale.ROOT, format, nanos / MICROSECOND);
+        return words.number(format, nanos / MICROSECOND);
     }
 }

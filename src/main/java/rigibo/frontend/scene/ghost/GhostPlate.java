@@ -35,7 +35,7 @@ public final class GhostPlate {
         words(canvas, words.of("ghost.from", ghost.preset()), left, y + HEAD, Color.TEXT);
         words(canvas, words.of("ghost.rms"), left, y + HEAD + LINE, Color.TEXT_DIM);
         canvas.text(
-                Metres.words(divergence.distance()),
+                Metres.words(words, divergence.distance()),
                 right,
                 y + HEAD,
                 SIZE,

@@ -1,6 +1,6 @@
 package rigibo.frontend.scene.ghost;
 
-import java.util.Locale;
+import rigibo.frontend.scene.Words;
 
 /** Formats lengths, from picometres to metres. */
 public final class Metres {
@@ -10,7 +10,7 @@ public final class Metres {
     private Metres() {}
 
     /** A length in m with three digits in the unit that suits it. */
-    public static String words(double metres) {
+    public static String words(Words words, double metres) {
         double shown = metres;
         int unit = 0;
         while (shown < 0.9995 && unit < UNITS.length - 1) {
@@ -20,7 +20,7 @@ public final class Metres {
         if (shown < 0.005) {
             return "0 m";
         }
-        String format = shown < 9.995 ? "%.2f %s" : shown < 99.95 ? "%.1f %s" : "%.0f %s";
-        return String.format(Locale.ROOT, format, shown, UNITS[unit]);
+        String format = shown < 9.995 ? "%.2f" : shown < 99.95 ? "%.1f" : "%.0f";
+        return words.number(format, shown) + " " + UNITS[unit];
     }
 }

@@ -2,8 +2,6 @@ package rigibo.frontend.scene.ghost;
 
 import rigibo.frontend.scene.Words;
 
-import java.util.Locale;
-
 /**
  * The moment at which two pools have become as different as two unrelated scenes.
  *
@@ -14,15 +12,15 @@ public record Parting(double seconds, boolean isChaotic) {
 
     /** Describes it in a line. */
     public String in(Words words) {
-        return words.of(isChaotic ? "parting.chaotic" : "parting.apart", time());
+        return words.of(isChaotic ? "parting.chaotic" : "parting.apart", time(words));
     }
 
     /** Describes it in few words. */
     String briefIn(Words words) {
-        return words.of(isChaotic ? "parting.chaotic.brief" : "parting.apart.brief", time());
+        return words.of(isChaotic ? "parting.chaotic.brief" : "parting.apart.brief", time(words));
     }
 
-    private String time() {
-        return String.format(Locale.ROOT, "%.1f s", seconds);
+    private String time(Words words) {
+        return words.number("%.1f s", seconds);
     }
 }

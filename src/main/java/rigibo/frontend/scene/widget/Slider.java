@@ -2,6 +2,7 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Words;
 
 import java.util.function.DoubleConsumer;
 import java.util.function.DoubleSupplier;
@@ -9,7 +10,8 @@ import java.util.function.DoubleSupplier;
 /**
  * A number between two bounds, in equal notches.
  *
- * @param words its label
+ * @param words the player's
+ * @param key of its label
  * @param format how the number is shown, with its unit
  * @param least lower bound
  * @param most upper bound
@@ -18,7 +20,8 @@ import java.util.function.DoubleSupplier;
  * @param change sets it
  */
 public record Slider(
-        String words,
+        Words words,
+        String key,
         String format,
         double least,
         double most,
@@ -36,13 +39,13 @@ public record Slider(
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
         double share = (value.getAsDouble() - least) / (most - least);
         double row = Widget.row(canvas.layout());
-        double words = y + row * WORDS;
+        double middle = y + row * WORDS;
         Color ink = isHot ? Color.TEXT : Color.TEXT_DIM;
-        canvas.text(this.words, x, words, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
+        canvas.text(words.of(key), x, middle, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
         canvas.text(
-                String.format(java.util.Locale.ROOT, format, value.getAsDouble()),
+                words.number(format, value.getAsDouble()),
                 x + width,
-                words,
+                middle,
                 16,
                 Canvas.Font.NUMBERS,
                 Canvas.Align.RIGHT,

@@ -9,6 +9,8 @@ import rigibo.frontend.scene.Words;
 
 class EstimateTest {
 
+    private static final CostWords ENGLISH = new CostWords(new Words("en"));
+
     private static Estimate of(double... rounds) {
         Estimate estimate = new Estimate();
         for (double round : rounds) {
@@ -40,23 +42,21 @@ class EstimateTest {
 
     @Test
     void wordsClaimNoMoreThanWasMeasured() {
-        assertThat(new CostWords(new Words("en")).ofLit(of(14000, 14000, 14000)))
-                .isEqualTo("costs 14.0 µs ± 0.00 µs");
-        assertThat(new CostWords(new Words("en")).ofLit(of(-14000, -14000, -14000)))
-                .startsWith("saves 14.0 µs");
-        assertThat(new CostWords(new Words("en")).ofLit(of(-900, 100, 1100)))
-                .as("100 ns within ± %s", CostWords.time(of(-900, 100, 1100).noise()))
+        assertThat(ENGLISH.ofLit(of(14000, 14000, 14000))).isEqualTo("costs 14.0 µs ± 0.00 µs");
+        assertThat(ENGLISH.ofLit(of(-14000, -14000, -14000))).startsWith("saves 14.0 µs");
+        assertThat(ENGLISH.ofLit(of(-900, 100, 1100)))
+                .as("100 ns within ± %s", ENGLISH.time(of(-900, 100, 1100).noise()))
                 .isEqualTo("costs less than the noise of 1.43 µs");
-        assertThat(new CostWords(new Words("en")).ofUnlit(of(2e6, 2e6, 2e6)))
+        assertThat(ENGLISH.ofUnlit(of(2e6, 2e6, 2e6)))
                 .isEqualTo("would cost 2.00 ms ± 0.00 µs more");
     }
 
     @Test
     void timesAreShownInThreeDigits() {
-        assertThat(CostWords.time(340)).isEqualTo("0.34 µs");
-        assertThat(CostWords.time(3400)).isEqualTo("3.40 µs");
-        assertThat(CostWords.time(34_000)).isEqualTo("34.0 µs");
-        assertThat(CostWords.time(340_000)).isEqualTo("340 µs");
-        assertThat(CostWords.time(3_400_000)).isEqualTo("3.40 ms");
+        assertThat(ENGLISH.time(340)).isEqualTo("0.34 µs");
+        assertThat(ENGLISH.time(3400)).isEqualTo("3.40 µs");
+        assertThat(ENGLISH.time(34_000)).isEqualTo("34.0 µs");
+        assertThat(ENGLISH.time(340_000)).isEqualTo("340 µs");
+        assertThat(ENGLISH.time(3_400_000)).isEqualTo("3.40 ms");
     }
 }

@@ -2,8 +2,11 @@ package rigibo.frontend.scene.ghost;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+
+import rigibo.frontend.scene.Words;
 
 /** Lengths have the unit in which they are a small number. */
 class MetresTest {
@@ -21,6 +24,11 @@ class MetresTest {
         "1e-15, 0 m"
     })
     void lengthsAreSmallNumbers(double metres, String words) {
-        assertThat(Metres.words(metres)).isEqualTo(words);
+        assertThat(Metres.words(new Words("en"), metres)).isEqualTo(words);
+    }
+
+    @Test
+    void aLengthHasTheDecimalMarkOfItsLanguage() {
+        assertThat(Metres.words(new Words("de"), 3.2e-5)).isEqualTo("32,0 µm");
     }
 }

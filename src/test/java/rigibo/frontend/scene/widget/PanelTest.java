@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Words;
 
 import java.util.List;
 
@@ -25,7 +26,15 @@ class PanelTest {
                     WIDTH,
                     List.of(
                             new Readout("read", () -> "1 m"),
-                            new Slider("slide", "%.0f", 0, 10, 1, () -> number, v -> number = v),
+                            new Slider(
+                                    new Words("en"),
+                                    "menu.play",
+                                    "%.0f",
+                                    0,
+                                    10,
+                                    1,
+                                    () -> number,
+                                    v -> number = v),
                             new Toggle("flip", () -> isOn, () -> isOn = !isOn),
                             new Button("press", () -> pressed++)));
 
