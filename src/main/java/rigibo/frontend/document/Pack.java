@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
+import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 
 /**
@@ -66,6 +67,8 @@ public final class Pack {
             if (pack.entries.isEmpty() && errors.isEmpty()) {
                 throw new IOException("holds no file that ends with " + ENDING);
             }
+        } catch (ZipException damaged) {
+            errors.add(pack.problem("is no zip file, or a damaged one: " + damaged.getMessage()));
         } catch (IOException refused) {
             errors.add(pack.problem(refused.getMessage()));
         } catch (IllegalArgumentException unnamable) {

@@ -27,12 +27,15 @@ public record Problem(Severity severity, String file, Place place, String pointe
         return severity == Severity.ERROR;
     }
 
-    /** {@code file:line:column: /pointer: message}, as editors and compilers write it. */
+    /**
+     * {@code file:line:column: /pointer: message}, as editors and compilers write it; of a file as
+     * a whole {@code file: message}.
+     */
     @Override
     public String toString() {
+        boolean isOfWhole = place.equals(Place.START) && pointer.isEmpty();
         return Escape.controls(file)
-                + ":"
-                + place
+                + (isOfWhole ? "" : ":" + place)
                 + ": "
                 + (pointer.isEmpty() ? "" : Escape.controls(pointer) + ": ")
                 + (isError() ? "" : "warning: ")

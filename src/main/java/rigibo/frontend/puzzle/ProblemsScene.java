@@ -19,7 +19,8 @@ final class ProblemsScene implements Scene {
     private static final double LEFT = EDGE + PADDING;
     private static final double TEXT_WIDTH = WIDTH - 2 * LEFT;
     private static final double HEADLINE = EDGE + 40;
-    private static final double FIRST_LINE = EDGE + 92;
+    private static final double ADVICE = EDGE + 80;
+    private static final double FIRST_LINE = EDGE + 124;
     private static final double LAST_LINE = HEIGHT - EDGE - 76;
     private static final double SIZE = 16;
     private static final double LINE = 22;
@@ -49,6 +50,8 @@ final class ProblemsScene implements Scene {
         canvas.frame(EDGE, EDGE, WIDTH - 2 * EDGE, HEIGHT - 2 * EDGE, 18, Color.BAD);
         String headline = director.words().of("replay.cannot-be-opened");
         line(canvas, headline, HEADLINE, 26, Canvas.Font.WORDS, Color.BRASS);
+        String advice = director.words().of("replay.advice");
+        line(canvas, advice, ADVICE, SIZE, Canvas.Font.WORDS, Color.TEXT);
         double y = FIRST_LINE;
         for (int i = 0; i < problems.size(); i++) {
             List<String> lines = lines(canvas, problems.get(i));

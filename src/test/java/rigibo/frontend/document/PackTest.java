@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
@@ -66,6 +67,15 @@ class PackTest {
     void pathsThatLeadOutAreRefused(String name) throws IOException {
         assertThat(texts(zip(name))).isEmpty();
         assertThat(error()).contains("leads out of the pack");
+    }
+
+    @Test
+    void aZipFileCutInHalfIsRefusedInWords() throws IOException {
+        Path zip = zip("a.json");
+        byte[] whole = Files.readAllBytes(zip);
+        Files.write(zip, Arrays.copyOf(whole, whole.length / 2));
+        assertThat(texts(zip)).isEmpty();
+        assertThat(error()).startsWith(zip + ": is no zip file, or a damaged one");
     }
 
     @Test

@@ -20,9 +20,12 @@ final class ShownPointer {
     /** Time for which a click is visible. */
     private static final int RIPPLE = Steps.of(0.4);
 
+    /** Height of the arrow, whose tip is where it points, px. */
+    private static final double ARROW = 32;
+
     private final Camera camera;
     private double fromX = Scene.WIDTH / 2.0;
-    private double fromY = View.KEYS_TOP;
+    private double fromY = View.KEYS_TOP - ARROW;
     private int rippleTurns;
 
     ShownPointer(Camera camera) {
