@@ -7,6 +7,7 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.AccuracyMeter;
 import rigibo.frontend.scene.effects.CostMeter;
@@ -76,6 +77,26 @@ final class DemoScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    private void press(HandButton button) {
+        switch (button) {
+            case MENU -> director.showMenu();
+            case PAUSE -> isPaused = !isPaused;
+            case PREVIOUS -> director.show(Demos.beside(title(), -1, director));
+            case NEXT -> director.show(Demos.beside(title(), 1, director));
+            case RESTART -> restart();
+        }
+    }
+
+    @Override
+    public Tap tap(double x, double y) {
+        return plates.tap(x, y);
+    }
+
+    @Override
     public void step() {
         if (!isPaused) {
             advance();
@@ -101,6 +122,13 @@ final class DemoScene implements Scene {
         }
         demo.draw(bench, canvas);
         plates.draw(canvas, isPaused);
+        if (!canvas.layout().isInHand()) {
+            drawNotes(canvas);
+        }
+    }
+
+    /** What keys ask for; a hand has none. */
+    private void drawNotes(Canvas canvas) {
         if (isDebugging) {
             DebugLegend.draw(canvas, director.words(), LEGEND_LEFT, HEIGHT - LEGEND_ABOVE);
         }
@@ -140,7 +168,10 @@ final class DemoScene implements Scene {
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
-        if (button == PointerButton.LEFT && !plates.pointerPressed(x, y)) {
+        Optional<HandButton> pressed = plates.button(x, y);
+        if (button == PointerButton.LEFT && pressed.isPresent()) {
+            press(pressed.get());
+        } else if (button == PointerButton.LEFT && !plates.pointerPressed(x, y)) {
             bench.grab(bench.pointerX(), bench.pointerY());
         } else if (button == PointerButton.RIGHT && !plates.contain(x, y)) {
             isPanning = true;
@@ -171,13 +202,13 @@ final class DemoScene implements Scene {
             return;
         }
         switch (key) {
-            case SPACE -> isPaused = !isPaused;
+            case SPACE -> press(HandButton.PAUSE);
             case PERIOD -> advance();
-            case R -> restart();
+            case R -> press(HandButton.RESTART);
             case HOME -> bench.camera().home();
             case D -> isDebugging = !isDebugging;
-            case LEFT_BRACKET -> director.show(Demos.beside(title(), -1, director));
-            case RIGHT_BRACKET -> director.show(Demos.beside(title(), 1, director));
+            case LEFT_BRACKET -> press(HandButton.PREVIOUS);
+            case RIGHT_BRACKET -> press(HandButton.NEXT);
             case F1, H -> isHelping = !isHelping;
             default -> demo.key(bench, key);
         }

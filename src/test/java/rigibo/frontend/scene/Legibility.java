@@ -16,6 +16,9 @@ public final class Legibility {
 
     private static final double ROUND_OFF = 1e-9;
 
+    /** A button in a row of a panel is drawn so much within what is touched, above and below. */
+    private static final double ROW_GAP = 2;
+
     private static final Layout SMALLEST_WINDOW = Layout.of(612, 680, 1);
 
     /** Phones with and without a notch, upright and lying. */
@@ -36,6 +39,18 @@ public final class Legibility {
             faults(scene, layout).forEach(fault -> faults.add(fault + where));
         }
         return faults;
+    }
+
+    /**
+     * One sentence for each plate that looks like a button, since it is lit and has words in its
+     * middle, and is too small for a finger.
+     */
+    public static List<String> tooSmallForFingers(Scene scene, Layout layout) {
+        double least = layout.touch().least() - 2 * ROW_GAP * layout.type();
+        return RecordingCanvas.of(scene, layout).buttons().stream()
+                .filter(button -> button.shorterSide() < least - ROUND_OFF)
+                .map(button -> button + " is too small for a finger")
+                .toList();
     }
 
     /**

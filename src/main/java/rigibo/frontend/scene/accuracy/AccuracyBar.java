@@ -82,9 +82,9 @@ public final class AccuracyBar {
     public static double height(Layout layout, double width) {
         double beside = width - 2 * PADDING - Dial.width(layout.type()) - GAP;
         if (beside < LEAST_ROOM) {
-            return 3 * PADDING + Dial.HEIGHT + LINES_BELOW * LINE;
+            return 3 * PADDING + Dial.height(layout) + LINES_BELOW * LINE;
         }
-        return 2 * PADDING + Math.max(Dial.HEIGHT, linesBeside(layout) * LINE);
+        return 2 * PADDING + Math.max(Dial.height(layout), linesBeside(layout) * LINE);
     }
 
     /** Where text is enlarged, one line beside the dial does not hold the numbers. */
@@ -111,7 +111,7 @@ public final class AccuracyBar {
         double dialled = PADDING + Dial.width(layout.type()) + GAP;
         boolean isBelow = width - dialled - PADDING < LEAST_ROOM;
         double inset = 2 * PADDING;
-        double below = 2 * PADDING + Dial.HEIGHT;
+        double below = 2 * PADDING + Dial.height(layout);
         room =
                 isBelow
                         ? new Plate(x + inset, y + below, width - 2 * inset, LINES_BELOW * LINE)
