@@ -12,6 +12,8 @@ import rigibo.frontend.scene.accuracy.AccuracyMeter;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.effects.EffectsBar;
+import rigibo.frontend.scene.widget.HandButtons;
+import rigibo.frontend.scene.widget.HandFrame;
 import rigibo.frontend.scene.widget.Panel;
 import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Widget;
@@ -59,7 +61,7 @@ final class DemoPlates {
     private final AccuracyBar accuracy;
     private final EffectsBar effects;
     private final Tabs tabs;
-    private final HandButtons buttons;
+    private final HandButtons buttons = new HandButtons();
 
     /** What all of it is drawn on in a hand. */
     private Optional<Enlarged> inHand = Optional.empty();
@@ -86,7 +88,6 @@ final class DemoPlates {
         accuracy = new AccuracyBar(bench.pool(), errors, words);
         effects = new EffectsBar(new DemoEffects(demo, bench, words), costs);
         tabs = new Tabs(words, folds);
-        buttons = new HandButtons(words);
     }
 
     private static Panel panel(List<Widget> widgets, Predicate<Widget> wanted) {
@@ -147,13 +148,14 @@ final class DemoPlates {
         accuracy.paced(share);
     }
 
-    void draw(Canvas canvas, boolean isPaused) {
+    /** Draws what there is room for; in a hand also buttons, since there are no keys. */
+    void draw(Canvas canvas, boolean isPaused, List<HandButtons.Item> items) {
         Layout layout = canvas.layout();
         folds.fit(layout);
         haunt();
         forget();
         if (layout.isInHand()) {
-            drawInHand(canvas, isPaused);
+            drawInHand(canvas, isPaused, items);
             return;
         }
         inHand = Optional.empty();
@@ -171,7 +173,7 @@ final class DemoPlates {
     /** What is not drawn cannot be pressed. */
     private void forget() {
         tabs.clear();
-        buttons.hide();
+        buttons.clear();
         sidePlace = Plate.NONE;
         accuracy.hide();
         if (isHidden || !folds.isOpen(Fold.EFFECTS)) {
@@ -232,12 +234,12 @@ final class DemoPlates {
     }
 
     /** Draws buttons and tabs around the scene, and over it the plate that is open. */
-    private void drawInHand(Canvas canvas, boolean isPaused) {
+    private void drawInHand(Canvas canvas, boolean isPaused, List<HandButtons.Item> items) {
         Enlarged enlarged = new Enlarged(canvas);
-        DemoPlaces places = DemoPlaces.of(enlarged.layout());
-        inHand = Optional.of(enlarged);
-        buttons.draw(enlarged, places.buttons(), isPaused);
         List<Fold> tabbed = tabs(fold -> true);
+        HandFrame places = HandFrame.of(enlarged.layout(), items.size(), tabbed.size());
+        inHand = Optional.of(enlarged);
+        buttons.draw(enlarged, places.buttons(), items);
         tabs.draw(enlarged, tabbed, places.tabs());
         for (Fold fold : tabbed) {
             if (folds.isOpen(fold)) {
@@ -302,8 +304,8 @@ final class DemoPlates {
     }
 
     /** The button at a point, px, in a hand. */
-    Optional<HandButton> button(double px, double py) {
-        return buttons.at(plateX(px), plateY(py));
+    Optional<HandButtons.Item> button(double px, double py) {
+        return buttons.at(px, py);
     }
 
     /** When a finger at a point, px, presses what is there. */

@@ -12,7 +12,9 @@ import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.AccuracyMeter;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.trial.Trials;
+import rigibo.frontend.scene.widget.HandButtons;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -81,14 +83,23 @@ final class DemoScene implements Scene {
         return true;
     }
 
-    private void press(HandButton button) {
-        switch (button) {
-            case MENU -> director.showMenu();
-            case PAUSE -> isPaused = !isPaused;
-            case PREVIOUS -> director.show(Demos.beside(title(), -1, director));
-            case NEXT -> director.show(Demos.beside(title(), 1, director));
-            case RESTART -> restart();
-        }
+    /** The buttons of a hand. */
+    private List<HandButtons.Item> buttons() {
+        Words words = director.words();
+        return List.of(
+                new HandButtons.Item(words.of("puzzle.command.menu"), director::showMenu),
+                new HandButtons.Item(words.of("puzzle.command.pause"), isPaused, this::pause),
+                new HandButtons.Item("‹", () -> showBeside(-1)),
+                new HandButtons.Item("›", () -> showBeside(1)),
+                new HandButtons.Item(words.of("puzzle.command.restart"), this::restart));
+    }
+
+    private void pause() {
+        isPaused = !isPaused;
+    }
+
+    private void showBeside(int direction) {
+        director.show(Demos.beside(title(), direction, director));
     }
 
     @Override
@@ -121,7 +132,7 @@ final class DemoScene implements Scene {
             bench.drawDebug(canvas, STEP);
         }
         demo.draw(bench, canvas);
-        plates.draw(canvas, isPaused);
+        plates.draw(canvas, isPaused, buttons());
         if (!canvas.layout().isInHand()) {
             drawNotes(canvas);
         }
@@ -168,9 +179,9 @@ final class DemoScene implements Scene {
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
-        Optional<HandButton> pressed = plates.button(x, y);
+        Optional<HandButtons.Item> pressed = plates.button(x, y);
         if (button == PointerButton.LEFT && pressed.isPresent()) {
-            press(pressed.get());
+            pressed.get().action().run();
         } else if (button == PointerButton.LEFT && !plates.pointerPressed(x, y)) {
             bench.grab(bench.pointerX(), bench.pointerY());
         } else if (button == PointerButton.RIGHT && !plates.contain(x, y)) {
@@ -202,13 +213,13 @@ final class DemoScene implements Scene {
             return;
         }
         switch (key) {
-            case SPACE -> press(HandButton.PAUSE);
+            case SPACE -> pause();
             case PERIOD -> advance();
-            case R -> press(HandButton.RESTART);
+            case R -> restart();
             case HOME -> bench.camera().home();
             case D -> isDebugging = !isDebugging;
-            case LEFT_BRACKET -> press(HandButton.PREVIOUS);
-            case RIGHT_BRACKET -> press(HandButton.NEXT);
+            case LEFT_BRACKET -> showBeside(-1);
+            case RIGHT_BRACKET -> showBeside(1);
             case F1, H -> isHelping = !isHelping;
             default -> demo.key(bench, key);
         }

@@ -2,6 +2,7 @@ package rigibo.frontend.display;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
 
 /** A short message about the window itself, shown for a moment over any scene. */
@@ -30,12 +31,14 @@ final class Toast {
         }
         left--;
         double width = canvas.textWidth(words, SIZE, Canvas.Font.WORDS) + 2 * PADDING;
-        double x = (Scene.WIDTH - width) / 2;
-        double height = canvas.layout().lettered(HEIGHT);
+        Layout layout = canvas.layout();
+        double middle = layout.isInHand() ? layout.left() + layout.width() / 2 : Scene.WIDTH / 2.0;
+        double x = middle - width / 2;
+        double height = layout.lettered(HEIGHT);
         canvas.panel(x, TOP, width, height, height / 2, Color.PANEL_LIT);
         canvas.text(
                 words,
-                Scene.WIDTH / 2.0,
+                middle,
                 TOP + height / 2,
                 SIZE,
                 Canvas.Font.WORDS,

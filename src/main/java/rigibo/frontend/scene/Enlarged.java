@@ -33,7 +33,8 @@ public final class Enlarged implements Canvas {
         return whole.left() + whole.type() * x;
     }
 
-    private double outY(double y) {
+    /** Converts a y of this canvas to one of the other, px. */
+    public double outY(double y) {
         return whole.top() + whole.type() * y;
     }
 

@@ -34,11 +34,16 @@ public final class Legibility {
     /** One sentence for each fault of a scene in a window in a hand. */
     public static List<String> faultsInHand(Scene scene) {
         List<String> faults = new ArrayList<>();
-        for (Layout layout : HANDS) {
+        for (Layout layout : hands(scene)) {
             String where = " in a hand, " + layout.width() + " by " + layout.height();
             faults(scene, layout).forEach(fault -> faults.add(fault + where));
         }
         return faults;
+    }
+
+    /** The layouts that a scene has on phones. */
+    public static List<Layout> hands(Scene scene) {
+        return HANDS.stream().map(hand -> scene.isSheet() ? hand.sheet() : hand).toList();
     }
 
     /**

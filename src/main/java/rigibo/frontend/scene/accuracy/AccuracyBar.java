@@ -80,7 +80,7 @@ public final class AccuracyBar {
 
     /** Its height where it is so wide, px. */
     public static double height(Layout layout, double width) {
-        double beside = width - 2 * PADDING - Dial.width(layout.type()) - GAP;
+        double beside = width - 2 * PADDING - Dial.width(layout) - GAP;
         if (beside < LEAST_ROOM) {
             return 3 * PADDING + Dial.height(layout) + LINES_BELOW * LINE;
         }
@@ -108,7 +108,7 @@ public final class AccuracyBar {
 
     private void place(Layout layout, double x, double y, double width) {
         plate = new Plate(x, y, width, height(layout, width));
-        double dialled = PADDING + Dial.width(layout.type()) + GAP;
+        double dialled = PADDING + Dial.width(layout) + GAP;
         boolean isBelow = width - dialled - PADDING < LEAST_ROOM;
         double inset = 2 * PADDING;
         double below = 2 * PADDING + Dial.height(layout);

@@ -24,6 +24,8 @@ public final class Dial {
     /** Mean width of a position with text of its usual size, px. */
     private static final double SEGMENT = 56;
 
+    private static final double SEGMENT_IN_HAND = 72;
+
     private final Pool pool;
     private double x;
     private double y;
@@ -38,9 +40,10 @@ public final class Dial {
         this.pool = pool;
     }
 
-    /** Its width with text enlarged by a factor, px. */
-    static double width(double type) {
-        return Preset.values().length * SEGMENT * type;
+    /** Its width, px. */
+    static double width(Layout layout) {
+        double segment = layout.isInHand() ? SEGMENT_IN_HAND : SEGMENT;
+        return Preset.values().length * segment * layout.type();
     }
 
     /** Its height, px. */
@@ -52,7 +55,7 @@ public final class Dial {
     public void draw(Canvas canvas, double left, double top) {
         x = left;
         y = top;
-        double width = width(canvas.layout().type());
+        double width = width(canvas.layout());
         height = height(canvas.layout());
         ends = Spread.ends(canvas, NAMES, SIZE, width);
         canvas.panel(x, y, width, height, 8, Color.PANEL_LIT);
