@@ -69,6 +69,12 @@ final class HalfView {
         return plateHeight(layout) + GAP + scale * (Room.HEIGHT + 2 * Room.WALL);
     }
 
+    /** Width at which the room is so high that all of it is, px. */
+    static double width(Layout layout, double height) {
+        double scale = (height - plateHeight(layout) - GAP) / (Room.HEIGHT + 2 * Room.WALL);
+        return scale * 2 * (Room.REACH + Room.WALL);
+    }
+
     /** Draws it at a place, px, with the room as large as fits below the plate. */
     void draw(Canvas canvas, Plate at, List<Skin> skins) {
         place = at;

@@ -31,8 +31,8 @@ record LaboratoryPlaces(
     private static final double STATUS = 34;
     private static final double STATUS_IN_HAND = 50;
 
-    /** Width of a half in a window that lies, px. */
-    private static final double HALF_LYING = 180;
+    /** Least width of what stands beside the halves in a window that lies, px. */
+    private static final double BESIDE = 339;
 
     /** Height that is left for the graph in an upright window, px. */
     private static final double GRAPH = 150;
@@ -101,8 +101,11 @@ record LaboratoryPlaces(
         double x = sheet.seenLeft() + EDGE;
         double top = sheet.seenTop() + EDGE;
         double foot = sheet.seenBottom() - EDGE;
-        Plate left = new Plate(x, top, HALF_LYING, foot - top - GAP - STATUS_IN_HAND);
-        Plate right = new Plate(left.right() + GAP, top, HALF_LYING, left.height());
+        double height = foot - top - GAP - STATUS_IN_HAND;
+        double most = (sheet.seenRight() - 2 * EDGE - BESIDE - GAP - x) / 2;
+        double half = Math.min(most, HalfView.width(sheet, height));
+        Plate left = new Plate(x, top, half, height);
+        Plate right = new Plate(left.right() + GAP, top, half, height);
         double beside = right.right() + EDGE;
         Plate commands = new Plate(beside, top, sheet.seenRight() - EDGE - beside, finger);
         Plate experiments = below(commands, 2 * finger);
