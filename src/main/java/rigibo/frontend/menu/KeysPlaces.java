@@ -33,6 +33,9 @@ record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) 
     private static final double BETWEEN_IN_HAND = 3.5;
     private static final double HEADING = 22;
 
+    /** Height of four lines of what is told, px. */
+    private static final double MOST_TOLD = 100;
+
     /** The scene as it is on a desk. */
     static final KeysPlaces ON_A_DESK = onADesk();
 
@@ -62,10 +65,11 @@ record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) 
         double top = row.bottom() + GAP_IN_HAND / 2 + HEADING;
         Grid levels = column(sheet, halves.place(0), top);
         double end = top + levels.height(ACTIONS) + GAP_IN_HAND / 2;
+        double rest = sheet.seenBottom() - GAP_IN_HAND / 2 - end;
         return new KeysPlaces(
                 levels,
                 column(sheet, halves.place(1), top),
-                new Plate(left, end, right - left, sheet.seenBottom() - GAP_IN_HAND / 2 - end),
+                new Plate(left, end, right - left, Math.min(MOST_TOLD, rest)),
                 halves.place(1),
                 halves.place(0));
     }
