@@ -1,20 +1,26 @@
 package rigibo.frontend.demo;
 
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Enlarged;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.AccuracyBar;
 import rigibo.frontend.scene.accuracy.AccuracyMeter;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.effects.EffectsBar;
+import rigibo.frontend.scene.widget.HandButtons;
+import rigibo.frontend.scene.widget.HandFrame;
 import rigibo.frontend.scene.widget.Panel;
 import rigibo.frontend.scene.widget.Plate;
+import rigibo.frontend.scene.widget.Widget;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Predicate;
 
 /**
@@ -41,13 +47,26 @@ final class DemoPlates {
     private final Folds folds;
 
     private final Workbench bench;
-    private final Panel controls;
+    private final Panel all;
+
+    /** Controls and readouts apart, in a hand, where there is no room for them in one plate. */
+    private final Panel handled;
+
+    private final Panel numbers;
+
+    /** The one of them that is shown, or was last. */
+    private Panel controls;
+
     private final SidePlate side;
     private final AccuracyBar accuracy;
     private final EffectsBar effects;
     private final Tabs tabs;
+    private final HandButtons buttons = new HandButtons();
+
+    /** What all of it is drawn on in a hand. */
+    private Optional<Enlarged> inHand = Optional.empty();
+
     private Plate sidePlace = Plate.NONE;
-    private int columns;
     private boolean isHidden;
     private boolean wasGhostWanted;
 
@@ -60,11 +79,19 @@ final class DemoPlates {
             Folds folds) {
         this.bench = bench;
         this.folds = folds;
-        controls = new Panel(0, 0, CONTROLS_WIDTH, demo.widgets());
+        List<Widget> widgets = demo.widgets();
+        all = panel(widgets, any -> true);
+        handled = panel(widgets, Widget::isControl);
+        numbers = panel(widgets, widget -> !widget.isControl());
+        controls = all;
         side = new SidePlate(bench, words);
         accuracy = new AccuracyBar(bench.pool(), errors, words);
         effects = new EffectsBar(new DemoEffects(demo, bench, words), costs);
         tabs = new Tabs(words, folds);
+    }
+
+    private static Panel panel(List<Widget> widgets, Predicate<Widget> wanted) {
+        return new Panel(0, 0, CONTROLS_WIDTH, widgets.stream().filter(wanted).toList());
     }
 
     /** The plates of a demo that was built on a bench, with errors and costs from meters. */
@@ -76,7 +103,6 @@ final class DemoPlates {
     DemoPlates of(Demo demo, Workbench other, Words words, AccuracyMeter errors, CostMeter costs) {
         DemoPlates next = new DemoPlates(demo, other, words, errors, costs, folds);
         next.isHidden = isHidden;
-        next.columns = columns;
         next.haunt();
         return next;
     }
@@ -89,8 +115,8 @@ final class DemoPlates {
             wasGhostWanted = isWanted;
             if (!isWanted) {
                 folds.layTheGhost();
-            } else if (columns != 1) {
-                // In one column it would take the place of the controls that asked for it.
+            } else if (!folds.isOneAtATime()) {
+                // It would take the place of the controls that asked for it.
                 folds.open(Fold.GHOST);
             }
         }
@@ -99,7 +125,7 @@ final class DemoPlates {
 
     /** Makes a ghost while its plate is open or the demo wants it. */
     private void haunt() {
-        bench.haunt(folds.isOpen(Fold.GHOST) || columns == 1 && wasGhostWanted);
+        bench.haunt(folds.isOpen(Fold.GHOST) || folds.isOneAtATime() && wasGhostWanted);
     }
 
     void beforeStep() {
@@ -122,16 +148,22 @@ final class DemoPlates {
         accuracy.paced(share);
     }
 
-    void draw(Canvas canvas, boolean isPaused) {
+    /** Draws what there is room for; in a hand also buttons, since there are no keys. */
+    void draw(Canvas canvas, boolean isPaused, List<HandButtons.Item> items) {
         Layout layout = canvas.layout();
-        columns = layout.columns();
-        folds.columns(columns);
+        folds.fit(layout);
         haunt();
         forget();
+        if (layout.isInHand()) {
+            drawInHand(canvas, isPaused, items);
+            return;
+        }
+        inHand = Optional.empty();
+        controls = all;
         if (isHidden) {
             return;
         }
-        switch (columns) {
+        switch (layout.columns()) {
             case 0 -> drawOver(canvas, isPaused);
             case 1 -> drawColumn(canvas, isPaused);
             default -> drawColumns(canvas, isPaused);
@@ -141,6 +173,7 @@ final class DemoPlates {
     /** What is not drawn cannot be pressed. */
     private void forget() {
         tabs.clear();
+        buttons.clear();
         sidePlace = Plate.NONE;
         accuracy.hide();
         if (isHidden || !folds.isOpen(Fold.EFFECTS)) {
@@ -200,6 +233,46 @@ final class DemoPlates {
         effects.draw(canvas, right, sidePlace.bottom() + GAP, width);
     }
 
+    /** Draws buttons and tabs around the scene, and over it the plate that is open. */
+    private void drawInHand(Canvas canvas, boolean isPaused, List<HandButtons.Item> items) {
+        Enlarged enlarged = new Enlarged(canvas);
+        List<Fold> tabbed = tabs(fold -> true);
+        HandFrame places = HandFrame.of(enlarged.layout(), items.size(), tabbed.size());
+        inHand = Optional.of(enlarged);
+        buttons.draw(enlarged, places.buttons(), items);
+        tabs.draw(enlarged, tabbed, places.tabs());
+        for (Fold fold : tabbed) {
+            if (folds.isOpen(fold)) {
+                draw(enlarged, fold, places.room(), isPaused);
+            }
+        }
+    }
+
+    private void draw(Canvas canvas, Fold fold, Plate room, boolean isPaused) {
+        switch (fold) {
+            case CONTROLS -> drawPanel(canvas, handled, room);
+            case NUMBERS -> drawPanel(canvas, numbers, room);
+            case ACCURACY -> accuracy.draw(canvas, room.x(), room.y(), room.width(), isPaused);
+            case EFFECTS -> effects.draw(canvas, room);
+            case FRAME, ENERGY, GHOST -> drawSide(canvas, room.x(), room.y(), room.width());
+        }
+    }
+
+    private void drawPanel(Canvas canvas, Panel panel, Plate room) {
+        controls = panel;
+        controls.place(room);
+        controls.draw(canvas);
+    }
+
+    /** Where a point, px, is on the canvas of the plates. */
+    private double plateX(double x) {
+        return inHand.map(canvas -> canvas.x(x)).orElse(x);
+    }
+
+    private double plateY(double y) {
+        return inHand.map(canvas -> canvas.y(y)).orElse(y);
+    }
+
     private List<Fold> tabs(Predicate<Fold> wanted) {
         return Arrays.stream(Fold.values()).filter(wanted).filter(folds::hasTab).toList();
     }
@@ -219,23 +292,45 @@ final class DemoPlates {
     }
 
     /** Whether a point lies on a plate. */
-    boolean contain(double x, double y) {
+    boolean contain(double px, double py) {
+        double x = plateX(px);
+        double y = plateY(py);
         return controls.contains(x, y)
                 || accuracy.contains(x, y)
                 || effects.contains(x, y)
                 || sidePlace.contains(x, y)
-                || tabs.at(x, y).isPresent();
+                || tabs.at(x, y).isPresent()
+                || button(px, py).isPresent();
     }
 
-    void pointerMoved(double x, double y) {
+    /** The button at a point, px, in a hand. */
+    Optional<HandButtons.Item> button(double px, double py) {
+        return buttons.at(px, py);
+    }
+
+    /** When a finger at a point, px, presses what is there. */
+    Tap tap(double px, double py) {
+        double x = plateX(px);
+        double y = plateY(py);
+        if (controls.contains(x, y)) {
+            return controls.tap(x, y);
+        }
+        return contain(px, py) ? Tap.LIFTED : Tap.AT_ONCE;
+    }
+
+    void pointerMoved(double px, double py) {
+        double x = plateX(px);
+        double y = plateY(py);
         controls.pointerMoved(x, y);
         accuracy.pointerMoved(x, y);
         effects.pointerMoved(x, y);
     }
 
     /** Handles a press of the left button; returns whether on a plate. */
-    boolean pointerPressed(double x, double y) {
-        boolean isOnPlate = contain(x, y);
+    boolean pointerPressed(double px, double py) {
+        boolean isOnPlate = contain(px, py);
+        double x = plateX(px);
+        double y = plateY(py);
         tabs.at(x, y).ifPresent(folds::toggle);
         controls.pointerPressed(x, y);
         accuracy.pointerPressed(x, y);

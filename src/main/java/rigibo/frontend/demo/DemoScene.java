@@ -7,11 +7,14 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.AccuracyMeter;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.trial.Trials;
+import rigibo.frontend.scene.widget.HandButtons;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -76,6 +79,35 @@ final class DemoScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    /** The buttons of a hand. */
+    private List<HandButtons.Item> buttons() {
+        Words words = director.words();
+        return List.of(
+                new HandButtons.Item(words.of("puzzle.command.menu"), director::showMenu),
+                new HandButtons.Item(words.of("puzzle.command.pause"), isPaused, this::pause),
+                new HandButtons.Item("‹", () -> showBeside(-1)),
+                new HandButtons.Item("›", () -> showBeside(1)),
+                new HandButtons.Item(words.of("puzzle.command.restart"), this::restart));
+    }
+
+    private void pause() {
+        isPaused = !isPaused;
+    }
+
+    private void showBeside(int direction) {
+        director.show(Demos.beside(title(), direction, director));
+    }
+
+    @Override
+    public Tap tap(double x, double y) {
+        return plates.tap(x, y);
+    }
+
+    @Override
     public void step() {
         if (!isPaused) {
             advance();
@@ -100,7 +132,14 @@ final class DemoScene implements Scene {
             bench.drawDebug(canvas, STEP);
         }
         demo.draw(bench, canvas);
-        plates.draw(canvas, isPaused);
+        plates.draw(canvas, isPaused, buttons());
+        if (!canvas.layout().isInHand()) {
+            drawNotes(canvas);
+        }
+    }
+
+    /** What keys ask for; a hand has none. */
+    private void drawNotes(Canvas canvas) {
         if (isDebugging) {
             DebugLegend.draw(canvas, director.words(), LEGEND_LEFT, HEIGHT - LEGEND_ABOVE);
         }
@@ -140,7 +179,10 @@ final class DemoScene implements Scene {
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
-        if (button == PointerButton.LEFT && !plates.pointerPressed(x, y)) {
+        Optional<HandButtons.Item> pressed = plates.button(x, y);
+        if (button == PointerButton.LEFT && pressed.isPresent()) {
+            pressed.get().action().run();
+        } else if (button == PointerButton.LEFT && !plates.pointerPressed(x, y)) {
             bench.grab(bench.pointerX(), bench.pointerY());
         } else if (button == PointerButton.RIGHT && !plates.contain(x, y)) {
             isPanning = true;
@@ -171,13 +213,13 @@ final class DemoScene implements Scene {
             return;
         }
         switch (key) {
-            case SPACE -> isPaused = !isPaused;
+            case SPACE -> pause();
             case PERIOD -> advance();
             case R -> restart();
             case HOME -> bench.camera().home();
             case D -> isDebugging = !isDebugging;
-            case LEFT_BRACKET -> director.show(Demos.beside(title(), -1, director));
-            case RIGHT_BRACKET -> director.show(Demos.beside(title(), 1, director));
+            case LEFT_BRACKET -> showBeside(-1);
+            case RIGHT_BRACKET -> showBeside(1);
             case F1, H -> isHelping = !isHelping;
             default -> demo.key(bench, key);
         }

@@ -1,22 +1,28 @@
 package rigibo.frontend.demo;
 
+import rigibo.frontend.scene.Layout;
+
 import java.util.EnumSet;
 import java.util.Set;
 
 /**
  * Which plates of a demo are open. Over the scene all begin folded, so that the scene can be seen;
  * beside it, in one column, one of them is open; in two columns all are, and one of those at the
- * side.
+ * side. In a hand one of them is open, or none.
  */
 final class Folds {
 
     private final Set<Fold> open = EnumSet.noneOf(Fold.class);
     private int columns;
+    private boolean isInHand;
 
-    /** Takes how many columns there are beside the scene, 0 to 2; begins anew if that changed. */
-    void columns(int now) {
-        if (now != columns) {
+    /** Takes what the window shows; begins anew if it has other columns now. */
+    void fit(Layout layout) {
+        boolean isHeld = layout.isInHand();
+        int now = isHeld ? 0 : layout.columns();
+        if (now != columns || isHeld != isInHand) {
             columns = now;
+            isInHand = isHeld;
             boolean wasHaunted = open.contains(Fold.GHOST);
             open.clear();
             open.addAll(first());
@@ -40,12 +46,17 @@ final class Folds {
 
     /** Whether a plate has a tab: controls and effects have room of their own in two columns. */
     boolean hasTab(Fold fold) {
-        return columns < 2 || fold.isAtTheSide();
+        return fold.isForHands() ? isInHand : columns < 2 || fold.isAtTheSide();
+    }
+
+    /** Whether a plate that opens takes the place of any other. */
+    boolean isOneAtATime() {
+        return columns == 1 || isInHand;
     }
 
     /** Opens a plate in place of those that would be in its way. */
     void open(Fold fold) {
-        open.removeIf(other -> columns == 1 || fold.isAtTheSide() && other.isAtTheSide());
+        open.removeIf(other -> isOneAtATime() || fold.isAtTheSide() && other.isAtTheSide());
         open.add(fold);
     }
 

@@ -35,6 +35,9 @@ final class FrictionDemo implements Demo {
     private static final double START = 2;
     private static final double FLAG = 48;
 
+    /** Height of the plate with a lane's name, and of the floor above it, px. */
+    private static final double SIGN = 24;
+
     private final List<Lane> lanes =
             List.of(
                     new Lane("ice", 0.03, START, 0, Skin.ICE),
@@ -187,8 +190,9 @@ final class FrictionDemo implements Demo {
         String sign = words.of(key, name(lane));
         double width = canvas.textWidth(sign, 16, Canvas.Font.WORDS);
         double x = camera.screenX(lane.floorX(0));
-        double y = camera.screenY(lane.floorY(0)) + 36;
-        canvas.panel(x - 8, y - 12, width + 16, 24, 8, Color.PANEL);
+        double half = canvas.layout().lettered(SIGN / 2);
+        double y = camera.screenY(lane.floorY(0)) + SIGN + half;
+        canvas.panel(x - 8, y - half, width + 16, 2 * half, 8, Color.PANEL);
         canvas.text(sign, x, y, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
     }
 

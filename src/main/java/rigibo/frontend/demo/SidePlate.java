@@ -40,7 +40,8 @@ final class SidePlate {
             case FRAME -> profile.draw(canvas, x, y, width);
             case ENERGY -> energy.draw(canvas, x, y, width);
             case GHOST -> ghost.draw(canvas, bench.ghost(), x, y, width);
-            case CONTROLS, EFFECTS -> throw new IllegalArgumentException(side + " is no side");
+            case CONTROLS, NUMBERS, ACCURACY, EFFECTS ->
+                    throw new IllegalArgumentException(side + " is no side");
         }
     }
 
@@ -50,7 +51,8 @@ final class SidePlate {
             case FRAME -> StageProfile.HEIGHT;
             case ENERGY -> EnergyPlate.HEIGHT;
             case GHOST -> GhostPlate.HEIGHT;
-            case CONTROLS, EFFECTS -> throw new IllegalArgumentException(side + " is no side");
+            case CONTROLS, NUMBERS, ACCURACY, EFFECTS ->
+                    throw new IllegalArgumentException(side + " is no side");
         };
     }
 }

@@ -44,6 +44,14 @@ final class Tabs {
         }
     }
 
+    /** Draws tabs at places, px. */
+    void draw(Canvas canvas, List<Fold> all, List<Plate> there) {
+        for (int i = 0; i < all.size(); i++) {
+            places.put(all.get(i), there.get(i));
+            draw(canvas, all.get(i), there.get(i));
+        }
+    }
+
     private void draw(Canvas canvas, Fold fold, Plate place) {
         boolean isLit = folds.isOpen(fold);
         canvas.panel(

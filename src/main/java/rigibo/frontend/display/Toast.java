@@ -31,15 +31,16 @@ final class Toast {
         }
         left--;
         double width = canvas.textWidth(words, SIZE, Canvas.Font.WORDS) + 2 * PADDING;
-        double x = (Scene.WIDTH - width) / 2;
         Layout layout = canvas.layout();
+        double middle = layout.isInHand() ? layout.left() + layout.width() / 2 : Scene.WIDTH / 2.0;
+        double x = middle - width / 2;
         double height = layout.lettered(HEIGHT);
         double y = top(layout, height);
         canvas.panel(x, y, width, height, height / 2, Color.PANEL_LIT);
         canvas.frame(x, y, width, height, height / 2, Color.BRASS);
         canvas.text(
                 words,
-                Scene.WIDTH / 2.0,
+                middle,
                 y + height / 2,
                 SIZE,
                 Canvas.Font.WORDS,

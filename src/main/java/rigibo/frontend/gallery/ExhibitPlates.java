@@ -3,14 +3,19 @@ package rigibo.frontend.gallery;
 import rigibo.backend.Pool;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Enlarged;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
+import rigibo.frontend.scene.widget.HandButtons;
+import rigibo.frontend.scene.widget.HandFrame;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
@@ -41,6 +46,10 @@ final class ExhibitPlates {
     private final Found found;
     private final Words words;
     private final ExhibitWords titles;
+    private final HandButtons buttons = new HandButtons();
+
+    /** Whether all is said of it in a hand. */
+    private boolean isOpen;
 
     ExhibitPlates(Found found, Words words) {
         this.found = found;
@@ -52,8 +61,20 @@ final class ExhibitPlates {
         return titles.title(found);
     }
 
-    void draw(Canvas canvas, Pool pool, String figure, boolean isPaused) {
-        if (canvas.layout().columns() > 0) {
+    void draw(
+            Canvas canvas,
+            Pool pool,
+            String figure,
+            boolean isPaused,
+            List<HandButtons.Item> items) {
+        buttons.clear();
+        if (canvas.layout().isInHand()) {
+            drawInHand(
+                    new Enlarged(canvas),
+                    pool,
+                    isPaused ? words.of("gallery.paused") : figure,
+                    items);
+        } else if (canvas.layout().columns() > 0) {
             drawColumn(canvas, pool, isPaused ? words.of("gallery.paused") : figure);
         } else {
             drawOver(canvas, pool, figure, isPaused);
@@ -74,6 +95,42 @@ final class ExhibitPlates {
             foot.add(key, SIZE, Canvas.Font.WORDS, Color.TEXT_DIM);
         }
         foot.draw(head.draw(LEFT) + GAP);
+    }
+
+    /** What is said of it is folded to its title and figure until it is asked for. */
+    private void drawInHand(
+            Enlarged canvas, Pool pool, String state, List<HandButtons.Item> items) {
+        List<HandButtons.Item> tabs =
+                List.of(
+                        new HandButtons.Item(words.of("gallery.about"), isOpen, this::toggle),
+                        new HandButtons.Item(accuracy(pool), () -> turn(pool)));
+        HandFrame frame = HandFrame.of(canvas.layout(), items.size(), tabs.size());
+        buttons.draw(canvas, frame.buttons(), items);
+        buttons.draw(canvas, frame.tabs(), tabs);
+        Plate at = isOpen ? frame.room() : frame.free();
+        ColumnPlate plate = new ColumnPlate(canvas, at.x(), at.width());
+        plate.add(title(), 20, Canvas.Font.WORDS, Color.BRASS);
+        if (isOpen) {
+            plate.add(titles.about(found), SIZE, Canvas.Font.WORDS, Color.TEXT);
+            plate.add(effects(pool), SIZE, Canvas.Font.WORDS, Color.TEXT_DIM);
+            plate.add(found.source(), SIZE, Canvas.Font.NUMBERS, Color.TEXT);
+        }
+        plate.add(state, SIZE, Canvas.Font.WORDS, Color.TEXT);
+        plate.draw(at.y());
+    }
+
+    private void toggle() {
+        isOpen = !isOpen;
+    }
+
+    private static void turn(Pool pool) {
+        Preset present = Preset.of(pool.accuracy()).orElse(Preset.GAME);
+        pool.accuracy(present.next().accuracy());
+    }
+
+    /** The button at a point, px, in a hand. */
+    Optional<HandButtons.Item> button(double x, double y) {
+        return buttons.at(x, y);
     }
 
     private static String accuracy(Pool pool) {

@@ -10,9 +10,13 @@ import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.joint.JointPicture;
+import rigibo.frontend.scene.widget.HandButtons;
 
+import java.util.List;
 import java.util.Optional;
 
 /** A running exhibit; its bodies can be dragged, and it can be paused and restarted. */
@@ -62,6 +66,35 @@ final class ExhibitScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    /** The buttons of a hand. */
+    private List<HandButtons.Item> buttons() {
+        Words words = director.words();
+        return List.of(
+                new HandButtons.Item(words.of("scene.gallery"), this::leave),
+                new HandButtons.Item(words.of("puzzle.command.pause"), isPaused, this::pause),
+                new HandButtons.Item("‹", () -> show(-1)),
+                new HandButtons.Item("›", () -> show(1)),
+                new HandButtons.Item(words.of("puzzle.command.restart"), this::restart));
+    }
+
+    private void pause() {
+        isPaused = !isPaused;
+    }
+
+    private void leave() {
+        director.show(new GalleryScene(director, Optional.of(found)));
+    }
+
+    @Override
+    public Tap tap(double x, double y) {
+        return plates.button(x, y).isPresent() ? Tap.LIFTED : Tap.AT_ONCE;
+    }
+
+    @Override
     public void step() {
         if (!isPaused) {
             advance();
@@ -94,8 +127,8 @@ final class ExhibitScene implements Scene {
         JointPicture.draw(canvas, camera, showing.pool().joints());
         CanvasSketch sketch = new CanvasSketch(canvas, camera, 1);
         showing.exhibit().sketch(showing.pool(), sketch);
-        if (!isBare) {
-            plates.draw(canvas, showing.pool(), sketch.figure(), isPaused);
+        if (!isBare || canvas.layout().isInHand()) {
+            plates.draw(canvas, showing.pool(), sketch.figure(), isPaused, buttons());
         }
     }
 
@@ -117,7 +150,10 @@ final class ExhibitScene implements Scene {
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
-        if (button == PointerButton.LEFT) {
+        Optional<HandButtons.Item> pressed = plates.button(x, y);
+        if (button == PointerButton.LEFT && pressed.isPresent()) {
+            pressed.get().action().run();
+        } else if (button == PointerButton.LEFT) {
             grip.grab(showing, grip.pointerX(), grip.pointerY());
         } else if (button == PointerButton.RIGHT) {
             isPanning = true;
@@ -144,7 +180,7 @@ final class ExhibitScene implements Scene {
     @Override
     public void keyPressed(Key key) {
         switch (key) {
-            case SPACE -> isPaused = !isPaused;
+            case SPACE -> pause();
             case PERIOD -> advance();
             case R -> restart();
             case HOME -> camera.home();
@@ -168,7 +204,7 @@ final class ExhibitScene implements Scene {
     /** Returns to the scene from which it was opened. */
     @Override
     public boolean escaped() {
-        director.show(new GalleryScene(director, Optional.of(found)));
+        leave();
         return true;
     }
 }

@@ -6,6 +6,7 @@ import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
 import rigibo.frontend.scene.widget.TiledScene;
@@ -20,27 +21,15 @@ import java.util.Optional;
 /** Every exhibit as a card with its picture, section by section; only the selected one moves. */
 final class GalleryScene implements TiledScene {
 
-    private static final int COLUMNS = 4;
-    private static final int ROWS = 4;
-    private static final int PAGE = COLUMNS * ROWS;
-    private static final double EDGE = 20;
-    private static final double GAP = 10;
-    private static final double TABS_TOP = 76;
-    private static final double TAB_HEIGHT = 36;
-    private static final double TOP = 124;
-    private static final double CARD_WIDTH = (WIDTH - 2 * EDGE - (COLUMNS - 1) * GAP) / COLUMNS;
-    private static final double CARD_HEIGHT = 144;
     private static final double STRIP = 30;
     private static final double MARGIN = 5;
-    private static final double FOOT_TOP = HEIGHT - 52;
-    private static final double FOOT_HEIGHT = 40;
-    private static final double PAGER = 42;
 
     private final Director director;
     private final Words words;
     private final ExhibitWords titles;
     private final Map<String, List<Found>> sections;
     private final Map<Found, Showing> showings = new HashMap<>();
+    private GalleryPlaces places;
     private String section = "";
     private int page;
     private Tiles tiles;
@@ -52,12 +41,19 @@ final class GalleryScene implements TiledScene {
         words = director.words();
         titles = new ExhibitWords(words);
         sections = Exhibits.bySection();
+        places = GalleryPlaces.onADesk(sections.size());
         chosen.map(Found::section)
                 .or(() -> sections.keySet().stream().findFirst())
                 .ifPresent(name -> section = name);
         int at = chosen.map(found -> types(found.section()).indexOf(found.type())).orElse(0);
-        page = Math.max(0, at) / PAGE;
-        layOut(Math.max(0, at) % PAGE);
+        layOut(places, Math.max(0, at));
+    }
+
+    /** Lays all out at other places, with an exhibit of the section selected. */
+    private void layOut(GalleryPlaces there, int exhibit) {
+        places = there;
+        page = exhibit / places.onAPage();
+        layOut(exhibit % places.onAPage());
     }
 
     private List<Class<? extends Exhibit>> types(String name) {
@@ -72,12 +68,13 @@ final class GalleryScene implements TiledScene {
 
     private List<Found> ofPage() {
         List<Found> all = ofSection();
+        int first = page * places.onAPage();
         return all.subList(
-                Math.min(page * PAGE, all.size()), Math.min((page + 1) * PAGE, all.size()));
+                Math.min(first, all.size()), Math.min(first + places.onAPage(), all.size()));
     }
 
     private int pages() {
-        return (ofSection().size() + PAGE - 1) / PAGE;
+        return (ofSection().size() + places.onAPage() - 1) / places.onAPage();
     }
 
     /**
@@ -86,7 +83,7 @@ final class GalleryScene implements TiledScene {
      */
     private void layOut(int card) {
         List<Tile> laid = new ArrayList<>();
-        laid.add(new Tile(EDGE, 20, 130, 42, this::drawBack, director::showMenu));
+        laid.add(Tile.at(places.back(), this::drawBack, director::showMenu));
         addTabs(laid);
         firstCard = laid.size();
         List<Found> cards = ofPage();
@@ -94,48 +91,30 @@ final class GalleryScene implements TiledScene {
             laid.add(card(cards.get(i), i));
         }
         if (pages() > 1) {
-            laid.add(pager(WIDTH - EDGE - 2 * PAGER - GAP, "‹", -1));
-            laid.add(pager(WIDTH - EDGE - PAGER, "›", 1));
+            laid.add(pager(places.pagers().place(0), "‹", -1));
+            laid.add(pager(places.pagers().place(1), "›", 1));
         }
         tiles = new Tiles(laid, cards.isEmpty() ? 0 : firstCard + card);
     }
 
     private void addTabs(List<Tile> laid) {
-        double width = tabWidth();
         for (String name : sections.keySet()) {
-            double x = EDGE + (laid.size() - 1) * (width + GAP);
-            laid.add(
-                    new Tile(
-                            x,
-                            TABS_TOP,
-                            width,
-                            TAB_HEIGHT,
-                            (canvas, tile, isChosen) -> drawTab(canvas, tile, name, isChosen),
-                            () -> turnTo(name, 0)));
+            Plate at = places.tabs().place(laid.size() - 1);
+            Tile.Look look = (canvas, tile, isChosen) -> drawTab(canvas, tile, name, isChosen);
+            laid.add(Tile.at(at, look, () -> turnTo(name, 0)));
         }
     }
 
-    private double tabWidth() {
-        double room = WIDTH - 2 * EDGE - 2 * (PAGER + GAP);
-        return (room + GAP) / Math.max(1, sections.size()) - GAP;
-    }
-
     private Tile card(Found found, int place) {
-        return new Tile(
-                EDGE + place % COLUMNS * (CARD_WIDTH + GAP),
-                TOP + place / COLUMNS * (CARD_HEIGHT + GAP),
-                CARD_WIDTH,
-                CARD_HEIGHT,
+        return Tile.at(
+                places.cards().place(place),
                 (canvas, tile, isChosen) -> drawCard(canvas, tile, found, isChosen),
                 () -> open(found));
     }
 
-    private Tile pager(double x, String sign, int direction) {
-        return new Tile(
-                x,
-                TABS_TOP,
-                PAGER,
-                TAB_HEIGHT,
+    private Tile pager(Plate at, String sign, int direction) {
+        return Tile.at(
+                at,
                 (canvas, tile, isChosen) -> Print.button(canvas, tile, sign, isChosen),
                 () -> turn(direction));
     }
@@ -173,21 +152,50 @@ final class GalleryScene implements TiledScene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    @Override
+    public boolean isSheet() {
+        return true;
+    }
+
+    @Override
     public void step() {
         chosen().map(this::showing).ifPresent(Showing::step);
     }
 
     @Override
     public void draw(Canvas canvas) {
-        Print.centred(canvas, words.of("scene.gallery"), WIDTH / 2.0, 42, 36, Color.BRASS);
-        int count = sections.values().stream().mapToInt(List::size).sum();
-        Print.right(canvas, words.of("gallery.count", count), WIDTH - EDGE, 44, 18, Color.TEXT);
+        boolean isInHand = canvas.layout().isInHand();
+        GalleryPlaces now = GalleryPlaces.of(canvas.layout(), sections.size());
+        if (!now.equals(places)) {
+            int card = Math.max(0, tiles.chosen() - firstCard);
+            layOut(now, page * places.onAPage() + card);
+        }
         tiles.draw(canvas);
-        double width = WIDTH - 2 * EDGE;
-        canvas.panel(EDGE, FOOT_TOP, width, FOOT_HEIGHT, 12, Color.PANEL);
+        if (isInHand) {
+            Plate at = places.count();
+            String count = words.of("gallery.page", page + 1, Math.max(1, pages()));
+            Print.centred(canvas, count, at.x(), at.y(), 16, Color.TEXT);
+        } else {
+            drawFrame(canvas);
+        }
+    }
+
+    /** The heading above and the sentence of the selected exhibit below, on a desk. */
+    private void drawFrame(Canvas canvas) {
+        Print.centred(canvas, words.of("scene.gallery"), WIDTH / 2.0, 42, 36, Color.BRASS);
+        Plate at = places.count();
+        int count = sections.values().stream().mapToInt(List::size).sum();
+        Print.right(canvas, words.of("gallery.count", count), at.x(), at.y(), 18, Color.TEXT);
+        Plate plate = places.foot();
+        canvas.panel(plate.x(), plate.y(), plate.width(), plate.height(), 12, Color.PANEL);
         String foot = chosen().map(titles::about).orElse(words.of("gallery.choose"));
-        String fitting = Lines.shortened(canvas, foot, 17, Canvas.Font.WORDS, width - 24);
-        Print.centred(canvas, fitting, WIDTH / 2.0, FOOT_TOP + FOOT_HEIGHT / 2, 17, Color.TEXT);
+        String fitting = Lines.shortened(canvas, foot, 17, Canvas.Font.WORDS, plate.width() - 24);
+        double middle = plate.y() + plate.height() / 2;
+        Print.centred(canvas, fitting, WIDTH / 2.0, middle, 17, Color.TEXT);
     }
 
     private void drawBack(Canvas canvas, Tile tile, boolean isChosen) {
@@ -197,9 +205,12 @@ final class GalleryScene implements TiledScene {
     private void drawTab(Canvas canvas, Tile tile, String name, boolean isChosen) {
         boolean isOpen = name.equals(section);
         Print.plate(canvas, tile, isChosen);
-        String label = titles.section(name) + "  " + sections.get(name).size();
+        boolean isInHand = canvas.layout().isInHand();
+        String count = isInHand ? "" : "  " + sections.get(name).size();
         Color color = isOpen ? Color.BRASS : Color.TEXT_DIM;
-        Print.centred(canvas, label, tile.middleX(), tile.middleY(), 18, color);
+        double size = isInHand ? 16 : 18;
+        String label = titles.section(name) + count;
+        Print.centred(canvas, label, tile.middleX(), tile.middleY(), size, color);
         if (isOpen) {
             double under = tile.y() + tile.height() - 4;
             canvas.line(tile.x() + 14, under, tile.x() + tile.width() - 14, under, 3, Color.BRASS);
@@ -230,19 +241,22 @@ final class GalleryScene implements TiledScene {
     @Override
     public Optional<Demonstration> demonstration() {
         List<Demonstration.Click> ways = new ArrayList<>();
-        double middle = TABS_TOP + TAB_HEIGHT / 2;
+        Plate on = places.pagers().place(1);
         int tab = 0;
         for (List<Found> all : sections.values()) {
             if (tab > 0) {
-                double x = EDGE + (tab + 0.5) * tabWidth() + tab * GAP;
-                ways.add(new Demonstration.Click(x, middle));
+                ways.add(click(places.tabs().place(tab)));
             }
-            for (int more = 1; more * PAGE < all.size(); more++) {
-                ways.add(new Demonstration.Click(WIDTH - EDGE - PAGER / 2, middle));
+            for (int more = 1; more * places.onAPage() < all.size(); more++) {
+                ways.add(click(on));
             }
             tab++;
         }
         return Optional.of(new GalleryWalk(ways));
+    }
+
+    private static Demonstration.Click click(Plate at) {
+        return new Demonstration.Click(at.x() + at.width() / 2, at.y() + at.height() / 2);
     }
 
     @Override

@@ -2,15 +2,18 @@ package rigibo.frontend.laboratory;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.widget.Plate;
+import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Spread;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Buttons side by side, of which that of the present choice is lit. */
+/** Buttons side by side, in a few rows, of which that of the present choice is lit. */
 final class ButtonBar {
 
-    /** px. */
+    /** Height of a row on a desk, px. */
     static final double HEIGHT = 46;
 
     private static final double PADDING = 4;
@@ -18,50 +21,66 @@ final class ButtonBar {
     private static final int NOTHING = -1;
 
     private final List<String> titles;
-    private final double x;
-    private final double y;
-    private final double width;
 
-    /** Where the place of each button ends, px from the first one's left; nowhere at first. */
-    private double[] ends;
+    /** Where the buttons are as they were last drawn. */
+    private final List<Plate> places = new ArrayList<>();
 
     private int hot = NOTHING;
 
-    /** A bar with its upper left corner at (x, y), px. */
-    ButtonBar(List<String> titles, double x, double y, double width) {
-        this.titles = titles;
-        this.x = x;
-        this.y = y;
-        this.width = width;
-        ends = new double[titles.size()];
+    ButtonBar(List<String> titles) {
+        this.titles = List.copyOf(titles);
     }
 
-    void draw(Canvas canvas, int chosen) {
-        canvas.panel(x, y, width, HEIGHT, 12, Color.PANEL);
-        ends = Spread.ends(canvas, titles, SIZE, width - PADDING);
+    /** Draws it at a place, px, in so many rows, with one of its buttons lit. */
+    void draw(Canvas canvas, Plate at, int rows, int chosen) {
+        places.clear();
+        canvas.panel(at.x(), at.y(), at.width(), at.height(), 12, Color.PANEL);
+        int inRow = (titles.size() + rows - 1) / rows;
+        double height = at.height() / rows;
+        for (int row = 0; row < rows; row++) {
+            int from = row * inRow;
+            int to = Math.min(from + inRow, titles.size());
+            lay(canvas, titles.subList(from, to), at, at.y() + row * height, height);
+        }
         for (int i = 0; i < titles.size(); i++) {
-            Color plate = i == chosen ? Color.BRASS : i == hot ? Color.EDGE : Color.PANEL_LIT;
-            double left = x + PADDING + (i == 0 ? 0 : ends[i - 1]);
-            double wide = x + ends[i] - left;
-            canvas.panel(left, y + PADDING, wide, HEIGHT - 2 * PADDING, 8, plate);
-            canvas.text(
-                    titles.get(i),
-                    left + wide / 2,
-                    y + HEIGHT / 2,
-                    SIZE,
-                    Canvas.Font.WORDS,
-                    Canvas.Align.CENTRE,
-                    i == chosen ? Color.DUSK_TOP : Color.TEXT);
+            draw(canvas, i, i == chosen);
         }
     }
 
+    private void lay(Canvas canvas, List<String> row, Plate at, double y, double height) {
+        double width = at.width() - PADDING;
+        double least = canvas.layout().clickable(0) + PADDING;
+        double[] ends =
+                canvas.layout().isInHand()
+                        ? Spread.ends(canvas, row, SIZE, width, least)
+                        : Spread.ends(canvas, row, SIZE, width);
+        for (int i = 0; i < row.size(); i++) {
+            double left = at.x() + PADDING + (i == 0 ? 0 : ends[i - 1]);
+            places.add(new Plate(left, y, at.x() + ends[i] - left, height));
+        }
+    }
+
+    private void draw(Canvas canvas, int button, boolean isChosen) {
+        Plate at = places.get(button);
+        Color plate = isChosen ? Color.BRASS : button == hot ? Color.EDGE : Color.PANEL_LIT;
+        double gap = canvas.layout().isInHand() ? PADDING / 2 : PADDING;
+        canvas.panel(at.x(), at.y() + gap, at.width(), at.height() - 2 * gap, 8, plate);
+        Color ink = isChosen ? Color.DUSK_TOP : Color.TEXT;
+        double middle = at.y() + at.height() / 2;
+        Print.centred(canvas, titles.get(button), at.x() + at.width() / 2, middle, SIZE, ink);
+    }
+
     void pointerMoved(double px, double py) {
-        boolean isBeside = py < y || py > y + HEIGHT || px < x;
         hot =
-                IntStream.range(0, ends.length)
-                        .filter(i -> !isBeside && px <= x + PADDING + ends[i])
+                IntStream.range(0, places.size())
+                        .filter(i -> holds(places.get(i), px, py))
                         .findFirst()
                         .orElse(NOTHING);
+    }
+
+    /** Whether a button, or the gap before it, holds a point. */
+    private static boolean holds(Plate place, double px, double py) {
+        return place.contains(px, py) || place.contains(px + PADDING, py);
     }
 
     /** The button under the pointer as it last moved, or −1. */

@@ -37,16 +37,20 @@ final class GraphPlate {
     private final DistanceCurve curve = new DistanceCurve();
     private final double[] heights = new double[SHOWN];
     private final Words words;
-    private final Plate plate;
+    private Plate plate = Plate.NONE;
 
-    GraphPlate(Words words, Plate plate) {
+    GraphPlate(Words words) {
         this.words = words;
-        this.plate = plate;
+    }
+
+    /** Moves it, px. */
+    void place(Plate at) {
+        plate = at;
     }
 
     /** Draws the distance of the worlds, on a logarithmic scale. */
     void drawDistance(Canvas canvas, Divergence divergence, String note) {
-        head(canvas, words.of("laboratory.distance"));
+        head(canvas, Quantity.DISTANCE, "laboratory.distance");
         number(canvas, Metres.words(words, divergence.distance()), right());
         String told = divergence.parting().map(parting -> parting.in(words)).orElse(note);
         Plate graph = note(canvas, told, divergence.parting().isPresent());
@@ -55,7 +59,7 @@ final class GraphPlate {
 
     /** Draws a quantity of each world. */
     void draw(Canvas canvas, Log log, Quantity quantity, String note) {
-        head(canvas, words.of(quantity.key() + ".long"));
+        head(canvas, quantity, quantity.key() + ".long");
         if (log.count() > 0) {
             double at = mark(canvas, log, quantity, Log.Side.RIGHT, right());
             mark(canvas, log, quantity, Log.Side.LEFT, at - PADDING);
@@ -142,9 +146,11 @@ final class GraphPlate {
         return plate.right() - PADDING;
     }
 
-    private void head(Canvas canvas, String told) {
+    /** Draws the plate and its title, which is short in a hand. */
+    private void head(Canvas canvas, Quantity quantity, String key) {
         canvas.panel(plate.x(), plate.y(), plate.width(), plate.height(), 12, Color.PANEL);
-        text(canvas, told, plate.y() + 4 + LINE / 2, Color.TEXT_DIM);
+        String title = words.of(canvas.layout().isInHand() ? quantity.key() : key);
+        text(canvas, title, plate.y() + 4 + LINE / 2, Color.TEXT_DIM);
     }
 
     private void number(Canvas canvas, String told, double x) {

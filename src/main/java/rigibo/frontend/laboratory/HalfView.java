@@ -8,25 +8,23 @@ import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
+import rigibo.frontend.scene.widget.Plate;
 
 import java.util.List;
 
 /** Draws a half: a plate with its switch and readouts, and the room below. */
 final class HalfView {
 
-    /** Width of plate and room, px. */
+    /** Width of plate and room on a desk, px. */
     static final double WIDTH = 348;
 
     static final double PLATE_HEIGHT = 68;
 
-    /** Distance from the plate's upper edge to the room's, px. */
-    private static final double ROOM_TOP = PLATE_HEIGHT + 6;
+    /** Between plate and room, px. */
+    private static final double GAP = 6;
 
-    /** Pixels per metre at which the room with its walls is as wide as the plate. */
-    private static final double SCALE = WIDTH / (2 * (Room.REACH + Room.WALL));
-
-    /** px. */
-    static final double HEIGHT = ROOM_TOP + SCALE * (Room.HEIGHT + 2 * Room.WALL);
+    /** Height on a desk, px. */
+    static final double HEIGHT = height(Layout.ALONE, WIDTH);
 
     private static final double SWITCH_WIDTH = 132;
     private static final double SWITCH_HEIGHT = 30;
@@ -42,45 +40,68 @@ final class HalfView {
     private static final double PADDING = 8;
     private static final double SIZE = 16;
 
+    /** A line of words in a hand, px. */
+    private static final double LINE = 22;
+
     private final Half half;
     private final Words words;
-    private final double x;
-    private final double y;
-    private final Camera camera;
+
+    /** Where plate and room are as they were last drawn. */
+    private Plate place = Plate.NONE;
+
+    private Plate turned = Plate.NONE;
     private boolean isHot;
 
-    /** A view with its upper left corner at (x, y), px. */
-    HalfView(Half half, Words words, double x, double y) {
+    HalfView(Half half, Words words) {
         this.half = half;
         this.words = words;
-        this.x = x;
-        this.y = y;
-        double middleX = x + WIDTH / 2;
-        double floorY = y + HEIGHT - SCALE * Room.WALL;
-        Camera plain = new Camera(0, 0, SCALE);
-        camera = new Camera(-plain.worldX(middleX), -plain.worldY(floorY), SCALE);
     }
 
-    void draw(Canvas canvas, List<Skin> skins) {
-        drawRoom(canvas, skins);
-        canvas.panel(x, y, WIDTH, PLATE_HEIGHT, 12, Color.PANEL);
+    /** Height of the plate, px: in a hand the readouts are below the switch. */
+    private static double plateHeight(Layout layout) {
+        return layout.isInHand() ? 2 * PADDING + layout.clickable(0) + 2 * LINE : PLATE_HEIGHT;
+    }
+
+    /** Height at which the room is so wide, px. */
+    static double height(Layout layout, double width) {
+        double scale = width / (2 * (Room.REACH + Room.WALL));
+        return plateHeight(layout) + GAP + scale * (Room.HEIGHT + 2 * Room.WALL);
+    }
+
+    /** Width at which the room is so high that all of it is, px. */
+    static double width(Layout layout, double height) {
+        double scale = (height - plateHeight(layout) - GAP) / (Room.HEIGHT + 2 * Room.WALL);
+        return scale * 2 * (Room.REACH + Room.WALL);
+    }
+
+    /** Draws it at a place, px, with the room as large as fits below the plate. */
+    void draw(Canvas canvas, Plate at, List<Skin> skins) {
+        place = at;
+        Layout layout = canvas.layout();
+        double plate = plateHeight(layout);
+        drawRoom(canvas, at.y() + plate + GAP, skins);
+        canvas.panel(at.x(), at.y(), at.width(), plate, 12, Color.PANEL);
+        double width = layout.isInHand() ? at.width() - 2 * PADDING : SWITCH_WIDTH;
+        double height = layout.clickable(SWITCH_HEIGHT);
+        turned = new Plate(at.x() + PADDING, at.y() + PADDING, width, height);
         drawSwitch(canvas);
-        double upper = y + PADDING + SWITCH_HEIGHT / 2;
-        double lower = y + PLATE_HEIGHT - 15;
-        double right = x + WIDTH - PADDING - 4;
-        number(canvas, words.of("laboratory.step", millis(canvas.layout())), right, upper);
-        words(
-                canvas,
-                words.of("fold.energy"),
-                x + PADDING + 4,
-                lower,
-                Canvas.Align.LEFT,
-                Color.TEXT_DIM);
-        number(canvas, energy(canvas.layout()), right, lower);
+        double lower = at.y() + plate - 15;
+        double upper = layout.isInHand() ? lower - LINE : at.y() + PADDING + SWITCH_HEIGHT / 2;
+        double right = at.right() - PADDING - 4;
+        number(canvas, words.of("laboratory.step", millis(layout)), right, upper);
+        double left = at.x() + PADDING + 4;
+        words(canvas, words.of("fold.energy"), left, lower, Canvas.Align.LEFT, Color.TEXT_DIM);
+        number(canvas, energy(layout), right, lower);
     }
 
-    private void drawRoom(Canvas canvas, List<Skin> skins) {
-        canvas.camera(camera);
+    private void drawRoom(Canvas canvas, double top, List<Skin> skins) {
+        double across = place.width() / (2 * (Room.REACH + Room.WALL));
+        double down = (place.bottom() - top) / (Room.HEIGHT + 2 * Room.WALL);
+        double scale = Math.min(across, down);
+        double middleX = place.x() + place.width() / 2;
+        double floorY = place.bottom() - scale * Room.WALL;
+        Camera plain = new Camera(0, 0, scale);
+        canvas.camera(new Camera(-plain.worldX(middleX), -plain.worldY(floorY), scale));
         int i = 0;
         for (RigidBody body : half.pool().bodies()) {
             Skin skin = skins.get(i++);
@@ -91,14 +112,14 @@ final class HalfView {
 
     /** The accuracy's name over four dots, of which the one in its place is lit. */
     private void drawSwitch(Canvas canvas) {
-        double left = x + PADDING;
-        double top = y + PADDING;
+        double left = turned.x();
+        double corner = turned.height() / 2;
         Color plate = isHot ? Color.BRASS.alpha(0.8) : Color.BRASS;
-        canvas.panel(left, top, SWITCH_WIDTH, SWITCH_HEIGHT, SWITCH_HEIGHT / 2, plate);
-        double middle = top + SWITCH_HEIGHT / 2;
+        canvas.panel(left, turned.y(), turned.width(), turned.height(), corner, plate);
+        double middle = turned.y() + turned.height() / 2;
         words(canvas, name(), left + INSET, middle, Canvas.Align.LEFT, Color.DUSK_TOP);
         double end = left + INSET + canvas.textWidth(name(), SIZE, Canvas.Font.WORDS);
-        double last = left + SWITCH_WIDTH - INSET;
+        double last = turned.right() - INSET;
         int between = Preset.values().length - 1;
         double pitch = Math.min(DOTS, (last - end - BESIDE) / between);
         for (Preset preset : Preset.values()) {
@@ -121,8 +142,11 @@ final class HalfView {
 
     /** With as many digits as there is room for beside its name. */
     private String energy(Layout layout) {
-        String digits = layout.type() > 1.2 ? "%.2f %%" : layout.type() > 1 ? "%.4f %%" : "%.7f %%";
         double percent = 100 * half.energyShare();
+        if (layout.isInHand()) {
+            return words.number("%.1f %%", percent);
+        }
+        String digits = layout.type() > 1.2 ? "%.2f %%" : layout.type() > 1 ? "%.4f %%" : "%.7f %%";
         return words.of("laboratory.share", words.number(digits, percent));
     }
 
@@ -136,11 +160,7 @@ final class HalfView {
     }
 
     void pointerMoved(double px, double py) {
-        isHot =
-                px >= x + PADDING
-                        && px <= x + PADDING + SWITCH_WIDTH
-                        && py >= y + PADDING
-                        && py <= y + PADDING + SWITCH_HEIGHT;
+        isHot = turned.contains(px, py);
     }
 
     /** Handles a press of the pointer, which turns the switch if it is on it. */

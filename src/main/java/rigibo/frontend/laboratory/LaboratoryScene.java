@@ -7,15 +7,19 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Badge;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Divergence;
+import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
+import rigibo.frontend.scene.widget.Print;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Two accuracies side by side, started from the same state, in real time or as near to it as
@@ -23,13 +27,8 @@ import java.util.Optional;
  */
 final class LaboratoryScene implements Scene {
 
-    private static final double EDGE = 8;
-    private static final double PLATE_WIDTH = WIDTH - 2 * EDGE;
-    private static final double HALVES_TOP = EDGE + ButtonBar.HEIGHT + 6;
-    private static final double STATUS_TOP = HALVES_TOP + HalfView.HEIGHT + 6;
-    private static final double STATUS_HEIGHT = 34;
-    private static final double DRAWERS_TOP = STATUS_TOP + STATUS_HEIGHT + 6;
-    private static final double CURVE_TOP = DRAWERS_TOP + ButtonBar.HEIGHT + 6;
+    /** A line of what is said of both halves in a hand, px. */
+    private static final double LINE = 21;
 
     /** What the buttons below open or do, after one for each quantity. */
     private static final int EXPERT = Quantity.values().length;
@@ -37,6 +36,14 @@ final class LaboratoryScene implements Scene {
     private static final int TABLE = EXPERT + 1;
     private static final int PICTURE = EXPERT + 2;
 
+    /** The commands of a hand. */
+    private static final int MENU = 0;
+
+    private static final int PAUSE = 1;
+    private static final int RESTART = 2;
+    private static final int NO_COMMAND = -1;
+
+    private final Director director;
     private final Words words;
     private final Keeping keeping;
     private final List<Experiment> experiments = Experiments.all();
@@ -46,6 +53,12 @@ final class LaboratoryScene implements Scene {
     private final HalfView rightView;
     private final ButtonBar bar;
     private final ButtonBar drawers;
+
+    /** The graphs alone, and what keys do elsewhere, in a hand. */
+    private final ButtonBar graphs;
+
+    private final ButtonBar commands;
+    private boolean isInHand;
     private final GraphPlate plate;
     private final ExpertPlate expert;
     private Room room;
@@ -65,16 +78,22 @@ final class LaboratoryScene implements Scene {
     LaboratoryScene(Director director) {
         words = director.words();
         keeping = new Keeping(director);
-        leftView = new HalfView(left, words, EDGE, HALVES_TOP);
-        rightView = new HalfView(right, words, WIDTH - EDGE - HalfView.WIDTH, HALVES_TOP);
+        this.director = director;
+        leftView = new HalfView(left, words);
+        rightView = new HalfView(right, words);
         List<String> titles =
                 experiments.stream().map(experiment -> words.of(experiment.titleKey())).toList();
-        bar = new ButtonBar(titles, EDGE, EDGE, PLATE_WIDTH);
-        drawers = new ButtonBar(drawerTitles(), EDGE, DRAWERS_TOP, PLATE_WIDTH);
-        Plate below = new Plate(EDGE, CURVE_TOP, PLATE_WIDTH, HEIGHT - EDGE - CURVE_TOP);
-        plate = new GraphPlate(words, below);
-        expert = new ExpertPlate(words, below, left, right);
+        bar = new ButtonBar(titles);
+        drawers = new ButtonBar(drawerTitles());
+        graphs = new ButtonBar(drawerTitles().subList(0, EXPERT));
+        commands = new ButtonBar(Stream.of("menu", "pause", "restart").map(this::command).toList());
+        plate = new GraphPlate(words);
+        expert = new ExpertPlate(words, LaboratoryPlaces.ON_A_DESK.graph(), left, right);
         open(0);
+    }
+
+    private String command(String name) {
+        return words.of("puzzle.command." + name);
     }
 
     private List<String> drawerTitles() {
@@ -141,16 +160,64 @@ final class LaboratoryScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    @Override
+    public boolean isSheet() {
+        return true;
+    }
+
+    @Override
+    public Tap tap(double x, double y) {
+        return Tap.LIFTED;
+    }
+
+    @Override
     public void draw(Canvas canvas) {
-        leftView.draw(canvas, room.skins());
-        rightView.draw(canvas, room.skins());
-        bar.draw(canvas, chosen);
-        canvas.panel(EDGE, STATUS_TOP, PLATE_WIDTH, STATUS_HEIGHT, 12, Color.PANEL);
-        double middle = STATUS_TOP + STATUS_HEIGHT / 2;
-        text(canvas, ratio(), EDGE + 12, middle, Canvas.Align.LEFT, Color.TEXT);
-        String state = isPaused ? words.of("badge.paused") : new Badge(words).pace(pace);
-        text(canvas, state, WIDTH - EDGE - 12, middle, Canvas.Align.RIGHT, Color.BRASS);
-        drawers.draw(canvas, drawer);
+        LaboratoryPlaces places = LaboratoryPlaces.of(canvas.layout());
+        isInHand = canvas.layout().isInHand();
+        leftView.draw(canvas, places.left(), room.skins());
+        rightView.draw(canvas, places.right(), room.skins());
+        bar.draw(canvas, places.experiments(), places.rows(), chosen);
+        if (isInHand) {
+            // Sliders side by side, and files, want a larger window.
+            drawer = drawer < EXPERT ? drawer : 0;
+            commands.draw(canvas, places.commands(), 1, isPaused ? PAUSE : NO_COMMAND);
+            graphs.draw(canvas, places.drawers(), 1, drawer);
+            drawStatusInHand(canvas, places.status());
+        } else {
+            drawers.draw(canvas, places.drawers(), 1, drawer);
+            drawStatus(canvas, places.status());
+        }
+        drawDrawer(canvas, places.graph());
+    }
+
+    private void drawStatus(Canvas canvas, Plate at) {
+        canvas.panel(at.x(), at.y(), at.width(), at.height(), 12, Color.PANEL);
+        double middle = at.y() + at.height() / 2;
+        Print.left(canvas, ratio(), at.x() + 12, middle, 16, Color.TEXT);
+        Print.right(canvas, state(), at.right() - 12, middle, 16, Color.BRASS);
+    }
+
+    private String state() {
+        return isPaused ? words.of("badge.paused") : new Badge(words).pace(pace);
+    }
+
+    private void drawStatusInHand(Canvas canvas, Plate at) {
+        canvas.panel(at.x(), at.y(), at.width(), at.height(), 12, Color.PANEL);
+        String said = ratio() + " · " + state();
+        List<String> lines = Lines.of(canvas, said, 16, Canvas.Font.WORDS, at.width() - 24);
+        double y = at.y() + at.height() / 2 - (lines.size() - 1) * LINE / 2;
+        for (String line : lines) {
+            Print.left(canvas, line, at.x() + 12, y, 16, Color.TEXT);
+            y += LINE;
+        }
+    }
+
+    private void drawDrawer(Canvas canvas, Plate at) {
+        plate.place(at);
         if (drawer == EXPERT) {
             expert.draw(canvas);
         } else if (Quantity.values()[drawer] == Quantity.DISTANCE) {
@@ -196,15 +263,11 @@ final class LaboratoryScene implements Scene {
         return words.of("laboratory.ratio", rightView.name(), times, leftView.name());
     }
 
-    private static void text(
-            Canvas canvas, String words, double x, double y, Canvas.Align align, Color color) {
-        canvas.text(words, x, y, 16, Canvas.Font.WORDS, align, color);
-    }
-
     @Override
     public void pointerMoved(double x, double y) {
         bar.pointerMoved(x, y);
-        drawers.pointerMoved(x, y);
+        below().pointerMoved(x, y);
+        commands.pointerMoved(x, y);
         if (drawer == EXPERT) {
             expert.pointerMoved(x, y);
         }
@@ -226,8 +289,25 @@ final class LaboratoryScene implements Scene {
         if (bar.hot() >= 0) {
             open(bar.hot());
         }
-        if (drawers.hot() >= 0) {
-            press(drawers.hot());
+        if (below().hot() >= 0) {
+            press(below().hot());
+        }
+        if (isInHand) {
+            follow(commands.hot());
+        }
+    }
+
+    /** The buttons of what is below. */
+    private ButtonBar below() {
+        return isInHand ? graphs : drawers;
+    }
+
+    private void follow(int button) {
+        switch (button) {
+            case MENU -> director.showMenu();
+            case PAUSE -> isPaused = !isPaused;
+            case RESTART -> restart();
+            default -> {}
         }
     }
 

@@ -8,8 +8,11 @@ import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
 import rigibo.frontend.scene.widget.Tiles;
@@ -24,37 +27,34 @@ import java.util.stream.Collectors;
 /** What keys do in levels and demos: an action is chosen, then its key is pressed. */
 public final class KeysScene implements Scene {
 
-    private static final double EDGE = 24;
-    private static final double GAP = 16;
-    private static final double TOP = 150;
-    private static final double ROW = 44;
-    private static final double COLUMN_WIDTH = (WIDTH - 2 * EDGE - GAP) / 2;
-    private static final double TILE_HEIGHT = 38;
-
     /** Width of the cap on which a key is printed, px. */
     private static final double CAP = 116;
 
-    /** Middle of the plate that tells what happened, and its height, px. */
-    private static final double TOLD = TOP + 10 * ROW + 34;
-
-    private static final double TOLD_HEIGHT = 62;
-    private static final double LINE = 26;
-    private static final double BUTTONS = 676;
     private static final double FOOT = 750;
+    private static final double LINE = 26;
+    private static final double LINE_IN_HAND = 21;
+
+    /** From the middle of a tile up to the action's name and down to its key in a hand, px. */
+    private static final double APART = 11;
 
     private final Director director;
-    private final Tiles tiles;
+    private KeysPlaces places = KeysPlaces.ON_A_DESK;
+    private Tiles tiles;
     private Optional<Action> asked = Optional.empty();
     private String told;
 
     public KeysScene(Director director) {
         this.director = director;
         told = words().of("keys.choose");
-        List<Tile> laid = new ArrayList<>(column(Action.Place.LEVEL, EDGE));
-        laid.addAll(column(Action.Place.DEMO, EDGE + COLUMN_WIDTH + GAP));
-        laid.add(button("keys.first", EDGE, this::reset));
-        laid.add(button("keys.back", EDGE + COLUMN_WIDTH + GAP, this::leave));
-        tiles = new Tiles(laid, 0);
+        layOut(0);
+    }
+
+    private void layOut(int chosen) {
+        List<Tile> laid = new ArrayList<>(actions(Action.Place.LEVEL, places.levels()));
+        laid.addAll(actions(Action.Place.DEMO, places.demos()));
+        laid.add(button("keys.first", places.reset(), this::reset));
+        laid.add(button("keys.back", places.back(), this::leave));
+        tiles = new Tiles(laid, chosen);
     }
 
     private Words words() {
@@ -62,31 +62,25 @@ public final class KeysScene implements Scene {
     }
 
     /** The actions of levels, or those that only demos have. */
-    private List<Tile> column(Action.Place place, double x) {
+    private List<Tile> actions(Action.Place place, Grid grid) {
         List<Action> actions =
                 Arrays.stream(Action.values())
                         .filter(it -> it.isIn(Action.Place.LEVEL) == (place == Action.Place.LEVEL))
                         .toList();
-        List<Tile> column = new ArrayList<>();
+        List<Tile> laid = new ArrayList<>();
         for (Action action : actions) {
-            column.add(
-                    new Tile(
-                            x,
-                            TOP + column.size() * ROW,
-                            COLUMN_WIDTH,
-                            TILE_HEIGHT,
+            laid.add(
+                    Tile.at(
+                            grid.place(laid.size()),
                             (canvas, tile, isChosen) -> drawKey(canvas, tile, action, isChosen),
                             () -> ask(action)));
         }
-        return column;
+        return laid;
     }
 
-    private Tile button(String key, double x, Runnable action) {
-        return new Tile(
-                x,
-                BUTTONS,
-                COLUMN_WIDTH,
-                TILE_HEIGHT,
+    private Tile button(String key, Plate at, Runnable action) {
+        return Tile.at(
+                at,
                 (canvas, tile, isChosen) -> Print.button(canvas, tile, words().of(key), isChosen),
                 action);
     }
@@ -94,6 +88,13 @@ public final class KeysScene implements Scene {
     private void drawKey(Canvas canvas, Tile tile, Action action, boolean isChosen) {
         boolean isAsked = asked.filter(action::equals).isPresent();
         Print.plate(canvas, tile, isChosen || isAsked);
+        String key = isAsked ? words().of("keys.press") : words().of(bindings().of(action));
+        if (canvas.layout().isInHand()) {
+            double y = tile.middleY();
+            Print.centred(canvas, name(action), tile.middleX(), y - APART, 16, Color.TEXT);
+            Print.centred(canvas, key, tile.middleX(), y + APART, 16, Color.BRASS);
+            return;
+        }
         Print.left(canvas, name(action), tile.x() + 14, tile.middleY(), 18, Color.TEXT);
         double left = tile.x() + tile.width() - CAP - 6;
         canvas.panel(
@@ -104,7 +105,6 @@ public final class KeysScene implements Scene {
                 6,
                 isAsked ? Color.BRASS : Color.DUSK_TOP);
         canvas.frame(left, tile.y() + 5, CAP, tile.height() - 10, 6, Color.EDGE);
-        String key = isAsked ? words().of("keys.press") : words().of(bindings().of(action));
         Color color = isAsked ? Color.DUSK_TOP : Color.BRASS;
         Print.centred(canvas, key, left + CAP / 2, tile.middleY(), 18, color);
     }
@@ -164,27 +164,65 @@ public final class KeysScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    @Override
+    public boolean isSheet() {
+        return true;
+    }
+
+    @Override
+    public Tap tap(double x, double y) {
+        return Tap.LIFTED;
+    }
+
+    @Override
     public void step() {}
 
     @Override
     public void draw(Canvas canvas) {
-        Print.centred(canvas, words().of("settings.keys"), WIDTH / 2.0, 66, 48, Color.BRASS);
-        double right = EDGE + COLUMN_WIDTH + GAP;
-        Print.left(canvas, words().of("keys.levels"), EDGE + 6, 126, 22, Color.TEXT);
-        Print.left(canvas, words().of("keys.demos"), right + 6, 126, 22, Color.TEXT);
+        boolean isInHand = canvas.layout().isInHand();
+        KeysPlaces now = KeysPlaces.of(canvas.layout());
+        if (!now.equals(places)) {
+            places = now;
+            layOut(tiles.chosen());
+        }
+        if (!isInHand) {
+            Print.centred(canvas, words().of("settings.keys"), WIDTH / 2.0, 66, 48, Color.BRASS);
+        }
+        drawHeading(canvas, "keys.levels", places.levels().first());
+        drawHeading(canvas, "keys.demos", places.demos().first());
         tiles.draw(canvas);
-        drawTold(canvas);
+        if (isInHand) {
+            drawTold(canvas, 16, LINE_IN_HAND);
+        } else {
+            drawTold(canvas, 18, LINE);
+            drawAlways(canvas, places.told());
+        }
     }
 
-    private void drawTold(Canvas canvas) {
-        double width = WIDTH - 2 * EDGE;
-        canvas.panel(EDGE, TOLD - TOLD_HEIGHT / 2, width, TOLD_HEIGHT, 12, Color.PANEL);
-        List<String> lines = Lines.of(canvas, told, 18, Canvas.Font.WORDS, width - 28);
+    private void drawHeading(Canvas canvas, String key, Plate first) {
+        double above = canvas.layout().isInHand() ? 13 : 24;
+        double size = canvas.layout().isInHand() ? 16 : 22;
+        Print.left(canvas, words().of(key), first.x() + 6, first.y() - above, size, Color.TEXT);
+    }
+
+    private void drawTold(Canvas canvas, double size, double line) {
+        Plate at = places.told();
+        canvas.panel(at.x(), at.y(), at.width(), at.height(), 12, Color.PANEL);
+        List<String> lines = Lines.of(canvas, told, size, Canvas.Font.WORDS, at.width() - 28);
+        double middle = at.y() + at.height() / 2;
         for (int i = 0; i < lines.size(); i++) {
-            double y = TOLD + (i - (lines.size() - 1) / 2.0) * LINE;
-            Print.centred(canvas, lines.get(i), WIDTH / 2.0, y, 18, Color.BRASS);
+            double y = middle + (i - (lines.size() - 1) / 2.0) * line;
+            Print.centred(canvas, lines.get(i), at.x() + at.width() / 2, y, size, Color.BRASS);
         }
-        canvas.panel(EDGE, FOOT - 18, width, 36, 12, Color.PANEL);
+    }
+
+    /** Tells of the keys that cannot be chosen; a hand has none of them. */
+    private void drawAlways(Canvas canvas, Plate told) {
+        canvas.panel(told.x(), FOOT - 18, told.width(), 36, 12, Color.PANEL);
         Print.centred(canvas, words().of("keys.always"), WIDTH / 2.0, FOOT, 16, Color.TEXT);
     }
 

@@ -7,6 +7,7 @@ import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
@@ -20,25 +21,13 @@ import java.util.TreeSet;
 /** What the player has done, as far as the files of progress know. */
 final class StatisticsScene implements TiledScene {
 
-    private static final double LEFT = 60;
-    private static final double BREADTH = WIDTH - 2 * LEFT;
-
     /** Distance between a panel's edge and what is in it, px. */
     private static final double INSET = 24;
 
-    private static final double LEVELS_TOP = 90;
-    private static final double LEVELS_HEIGHT = 226;
-    private static final double PLAY_TOP = LEVELS_TOP + LEVELS_HEIGHT + 14;
-    private static final double PLAY_HEIGHT = 142;
-    private static final double DAYS_TOP = PLAY_TOP + PLAY_HEIGHT + 14;
-    private static final double DAYS_HEIGHT = 198;
-    private static final double ENDLESS_TOP = DAYS_TOP + DAYS_HEIGHT + 14;
-    private static final double ENDLESS_HEIGHT = 52;
-
-    /** Size of a number, and the width up to which it is as large, px. */
+    /** Size of a number, and the share of its column up to which it is as large. */
     private static final double VALUE = 26;
 
-    private static final double MOST_VALUE = 170;
+    private static final double MOST_VALUE = 0.85;
 
     /** Days shown as dots, up to today. */
     private static final int DAYS = 14;
@@ -51,7 +40,8 @@ final class StatisticsScene implements TiledScene {
     private final LevelList levels;
     private final Progress progress;
     private final LocalDate today;
-    private final Tiles tiles;
+    private StatisticsPlaces places = StatisticsPlaces.ON_A_DESK;
+    private Tiles tiles;
 
     /**
      * The player's statistics.
@@ -65,9 +55,13 @@ final class StatisticsScene implements TiledScene {
         words = director.words();
         progress = director.progress();
         levels = LevelList.of(entries, progress);
+        layOut();
+    }
+
+    private void layOut() {
         String back = "‹  " + words.of("menu.back");
         Tile.Look look = (canvas, tile, isChosen) -> Print.button(canvas, tile, back, isChosen);
-        tiles = new Tiles(List.of(new Tile(20, 22, 130, 42, look, this::leave)), 0);
+        tiles = new Tiles(List.of(Tile.at(places.back(), look, this::leave)), 0);
     }
 
     private void leave() {
@@ -81,11 +75,33 @@ final class StatisticsScene implements TiledScene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    @Override
+    public boolean isSheet() {
+        return true;
+    }
+
+    @Override
     public void step() {}
 
     @Override
     public void draw(Canvas canvas) {
-        Print.centred(canvas, words.of("menu.statistics"), WIDTH / 2.0, 44, 36, Color.BRASS);
+        StatisticsPlaces now = StatisticsPlaces.of(canvas.layout());
+        if (!now.equals(places)) {
+            places = now;
+            layOut();
+        }
+        Plate title = places.title();
+        Print.centred(
+                canvas,
+                words.of("menu.statistics"),
+                title.x(),
+                title.y(),
+                title.height(),
+                Color.BRASS);
         tiles.draw(canvas);
         drawLevels(canvas);
         drawPlay(canvas);
@@ -93,36 +109,43 @@ final class StatisticsScene implements TiledScene {
         drawEndless(canvas);
     }
 
-    private void panel(Canvas canvas, double top, double height, String key) {
-        canvas.panel(LEFT, top, BREADTH, height, 16, Color.PANEL);
-        Print.left(canvas, words.of(key), LEFT + INSET, top + 28, 20, Color.BRASS);
+    private void panel(Canvas canvas, Plate at, String key) {
+        canvas.panel(at.x(), at.y(), at.width(), at.height(), 16, Color.PANEL);
+        Print.left(canvas, words.of(key), at.x() + INSET, at.y() + 28, 20, Color.BRASS);
     }
 
     private void drawLevels(Canvas canvas) {
-        panel(canvas, LEVELS_TOP, LEVELS_HEIGHT, "menu.levels");
+        Plate at = places.levels();
+        panel(canvas, at, "menu.levels");
         int count = levels.levels().size();
         String solved = words.of("menu.solved", levels.solved(), count);
-        double right = LEFT + BREADTH - INSET;
-        Print.right(canvas, solved, right, LEVELS_TOP + 28, 20, Color.TEXT);
+        Print.right(canvas, solved, at.right() - INSET, at.y() + 28, 20, Color.TEXT);
         double share = count == 0 ? 0 : levels.solved() / (double) count;
-        double bar = LEVELS_TOP + 52;
-        double width = BREADTH - 2 * INSET;
-        canvas.panel(LEFT + INSET, bar, width, 14, 7, Color.PANEL_LIT);
+        double bar = at.y() + 52;
+        double left = at.x() + INSET;
+        double width = at.width() - 2 * INSET;
+        canvas.panel(left, bar, width, 14, 7, Color.PANEL_LIT);
         if (share > 0) {
-            canvas.panel(LEFT + INSET, bar, Math.max(14, share * width), 14, 7, Color.GOOD);
+            canvas.panel(left, bar, Math.max(14, share * width), 14, 7, Color.GOOD);
         }
-        double y = LEVELS_TOP + 112;
+        double y = at.y() + 112;
         for (Medal medal : Medal.values()) {
-            double x = column(medal.ordinal(), 4);
+            double x = column(at, medal.ordinal(), 4);
             canvas.disc(x, y, 22, medal.color());
             canvas.ring(x, y, 17, 2, 1, Color.DUSK_TOP.alpha(0.5));
             number(canvas, String.valueOf(medal.ordinal() + 1), x, y, 20, Color.DUSK_TOP);
-            figure(canvas, x, y + 52, String.valueOf(levels.medals(medal)), name(medal));
+            figure(
+                    canvas,
+                    at.width() / 4,
+                    x,
+                    y + 52,
+                    String.valueOf(levels.medals(medal)),
+                    name(medal));
         }
-        double x = column(3, 4);
+        double x = column(at, 3, 4);
         Sign.star(canvas, x, y + 1, 25, Color.BRASS);
         String stars = levels.found() + " / " + levels.hidden();
-        figure(canvas, x, y + 52, stars, "statistics.stars");
+        figure(canvas, at.width() / 4, x, y + 52, stars, "statistics.stars");
     }
 
     private static String name(Medal medal) {
@@ -133,15 +156,24 @@ final class StatisticsScene implements TiledScene {
         };
     }
 
-    /** Middle of a column of the panels, px. */
-    private static double column(int column, int count) {
-        return LEFT + BREADTH * (column + 0.5) / count;
+    /** Middle of a column of a panel, px. */
+    private static double column(Plate panel, int column, int count) {
+        return panel.x() + panel.width() * (column + 0.5) / count;
     }
 
-    /** A number with what it counts below. */
-    private void figure(Canvas canvas, double x, double y, String value, String key) {
+    /** Three numbers side by side in a panel. */
+    private void figures(Canvas canvas, Plate panel, List<String> values, List<String> keys) {
+        for (int i = 0; i < values.size(); i++) {
+            double x = column(panel, i, values.size());
+            double room = panel.width() / values.size();
+            figure(canvas, room, x, panel.y() + 74, values.get(i), keys.get(i));
+        }
+    }
+
+    /** A number with what it counts below, in a column so wide. */
+    private void figure(Canvas canvas, double room, double x, double y, String value, String key) {
         double width = canvas.textWidth(value, VALUE, Canvas.Font.NUMBERS);
-        number(canvas, value, x, y, VALUE * Math.min(1, MOST_VALUE / width), Color.TEXT);
+        number(canvas, value, x, y, VALUE * Math.min(1, MOST_VALUE * room / width), Color.TEXT);
         Print.centred(canvas, words.of(key), x, y + 30, 16, Color.TEXT_DIM);
     }
 
@@ -151,15 +183,20 @@ final class StatisticsScene implements TiledScene {
     }
 
     private void drawPlay(Canvas canvas) {
-        panel(canvas, PLAY_TOP, PLAY_HEIGHT, "statistics.play");
+        Plate at = places.play();
+        panel(canvas, at, "statistics.play");
         if (progress.totals().tries() < levels.solved()) {
             String since = words.of("statistics.since");
-            Print.right(canvas, since, LEFT + BREADTH - INSET, PLAY_TOP + 28, 16, Color.TEXT_DIM);
+            Print.right(canvas, since, at.right() - INSET, at.y() + 28, 16, Color.TEXT_DIM);
         }
-        double y = PLAY_TOP + 74;
-        figure(canvas, column(0, 3), y, whole(progress.totals().tries()), "statistics.tries");
-        figure(canvas, column(1, 3), y, whole(progress.totals().clicks()), "statistics.clicks");
-        figure(canvas, column(2, 3), y, time(), "statistics.time");
+        figures(
+                canvas,
+                at,
+                List.of(
+                        whole(progress.totals().tries()),
+                        whole(progress.totals().clicks()),
+                        time()),
+                List.of("statistics.tries", "statistics.clicks", "statistics.time"));
     }
 
     private String whole(int value) {
@@ -174,16 +211,18 @@ final class StatisticsScene implements TiledScene {
     }
 
     private void drawDays(Canvas canvas) {
-        panel(canvas, DAYS_TOP, DAYS_HEIGHT, "scene.daily");
+        Plate at = places.days();
+        panel(canvas, at, "scene.daily");
         TreeSet<LocalDate> days = new TreeSet<>(progress.days().keySet());
         Streak streak = Streak.of(days, today);
-        double y = DAYS_TOP + 74;
-        figure(canvas, column(0, 3), y, whole(days.size()), "statistics.days");
-        figure(canvas, column(1, 3), y, whole(streak.present()), "statistics.streak");
-        figure(canvas, column(2, 3), y, whole(streak.longest()), "statistics.longest");
+        figures(
+                canvas,
+                at,
+                List.of(whole(days.size()), whole(streak.present()), whole(streak.longest())),
+                List.of("statistics.days", "statistics.streak", "statistics.longest"));
         for (int i = 0; i < DAYS; i++) {
-            double x = LEFT + INSET + (BREADTH - 2 * INSET) * (i + 0.5) / DAYS;
-            drawDay(canvas, x, y + 86, days, today.minusDays(DAYS - 1L - i));
+            double x = at.x() + INSET + (at.width() - 2 * INSET) * (i + 0.5) / DAYS;
+            drawDay(canvas, x, at.y() + 160, days, today.minusDays(DAYS - 1L - i));
         }
     }
 
@@ -191,20 +230,21 @@ final class StatisticsScene implements TiledScene {
     private void drawDay(
             Canvas canvas, double x, double y, TreeSet<LocalDate> days, LocalDate day) {
         boolean isSolved = days.contains(day);
-        canvas.disc(x, y, 13, isSolved ? Color.GOOD : Color.PANEL_LIT);
+        double radius = Math.min(13, (places.days().width() - 2 * INSET) / DAYS / 2 - 1);
+        canvas.disc(x, y, radius, isSolved ? Color.GOOD : Color.PANEL_LIT);
         if (isSolved) {
             Sign.tick(canvas, x, y, 6, 3, Color.DUSK_TOP);
         }
         if (day.equals(today)) {
-            canvas.ring(x, y, 17, 2, 1, Color.BRASS);
+            canvas.ring(x, y, radius + 4, 2, 1, Color.BRASS);
         }
     }
 
     private void drawEndless(Canvas canvas) {
-        panel(canvas, ENDLESS_TOP, ENDLESS_HEIGHT, "scene.endless");
+        Plate at = places.endless();
+        panel(canvas, at, "scene.endless");
         String next = words.of("made.endless.results", progress.endless());
-        double right = LEFT + BREADTH - INSET;
-        Print.right(canvas, next, right, ENDLESS_TOP + 28, 18, Color.TEXT);
+        Print.right(canvas, next, at.right() - INSET, at.y() + 28, 18, Color.TEXT);
     }
 
     @Override

@@ -9,11 +9,17 @@ import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Enlarged;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
+import rigibo.frontend.scene.Tap;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.HandButtons;
+import rigibo.frontend.scene.widget.HandFrame;
 
+import java.util.List;
 import java.util.Optional;
 
 /** Shows a recorded run, and at its end whether it was the same to the last bit. */
@@ -24,6 +30,7 @@ final class ReplayScene implements Scene {
     private final Audience audience;
     private final View view;
     private final ReplayBar bar;
+    private final HandButtons buttons = new HandButtons();
     private Screening screening;
     private ReplaySpeed speed = ReplaySpeed.FULL;
     private boolean isPaused;
@@ -56,6 +63,11 @@ final class ReplayScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    @Override
     public void step() {
         if (!isPaused) {
             screening.turn(speed, motion());
@@ -70,13 +82,46 @@ final class ReplayScene implements Scene {
     public void draw(Canvas canvas) {
         PuzzleGame game = screening.game();
         screening.draw(canvas, motion());
+        buttons.clear();
+        if (canvas.layout().isInHand() && audience == Audience.PLAYER) {
+            drawInHand(canvas, game);
+            return;
+        }
         bar.draw(canvas, director.words(), game, state());
-        screening
-                .verdict()
-                .ifPresent(verdict -> bar.drawVerdict(canvas, director.words(), verdict));
+        drawVerdict(canvas, View.BAR_FOOT);
         if (audience == Audience.PLAYER) {
             bar.drawKeys(canvas, director.words());
         }
+    }
+
+    private void drawInHand(Canvas canvas, PuzzleGame game) {
+        Enlarged enlarged = new Enlarged(canvas);
+        List<HandButtons.Item> items = items();
+        HandFrame frame = HandFrame.of(enlarged.layout(), items.size(), 0);
+        buttons.draw(enlarged, frame.buttons(), items);
+        double end = bar.drawInHand(enlarged, frame.free(), director.words(), game, state());
+        drawVerdict(canvas, canvas.layout().isUpright() ? enlarged.outY(end) : 0);
+    }
+
+    private List<HandButtons.Item> items() {
+        Words words = director.words();
+        return List.of(
+                new HandButtons.Item(words.of("puzzle.command.menu"), director::showMenu),
+                new HandButtons.Item(words.of("puzzle.command.pause"), isPaused, this::pause),
+                new HandButtons.Item(speed.words(), () -> speed = speed.next()),
+                new HandButtons.Item(words.of("puzzle.command.restart"), this::begin),
+                new HandButtons.Item(
+                        words.of("puzzle.short.copy"), () -> Replays.copy(director, recording)));
+    }
+
+    private void drawVerdict(Canvas canvas, double end) {
+        screening
+                .verdict()
+                .ifPresent(verdict -> bar.drawVerdict(canvas, director.words(), verdict, end));
+    }
+
+    private void pause() {
+        isPaused = !isPaused;
     }
 
     private String state() {
@@ -87,7 +132,12 @@ final class ReplayScene implements Scene {
 
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
-        isPaused = !isPaused;
+        buttons.at(x, y).ifPresentOrElse(item -> item.action().run(), this::pause);
+    }
+
+    @Override
+    public Tap tap(double x, double y) {
+        return Tap.LIFTED;
     }
 
     @Override
@@ -98,7 +148,7 @@ final class ReplayScene implements Scene {
     @Override
     public void keyPressed(Key key) {
         switch (key) {
-            case SPACE, P -> isPaused = !isPaused;
+            case SPACE, P -> pause();
             case PERIOD -> stepOnce();
             case LEFT, S -> speed = speed.slower();
             case RIGHT, N -> speed = speed.faster();

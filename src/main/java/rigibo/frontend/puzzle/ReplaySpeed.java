@@ -39,6 +39,11 @@ enum ReplaySpeed {
         return values()[Math.max(ordinal() - 1, 0)];
     }
 
+    /** The next one, after the fastest the slowest. */
+    ReplaySpeed next() {
+        return values()[(ordinal() + 1) % values().length];
+    }
+
     ReplaySpeed faster() {
         return values()[Math.min(ordinal() + 1, values().length - 1)];
     }

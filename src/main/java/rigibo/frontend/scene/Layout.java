@@ -183,6 +183,21 @@ public record Layout(
         return bottom() - touch.hidden().bottom();
     }
 
+    /**
+     * The window in px of which a small letter has 16, whatever the window, from its upper left
+     * corner on: for what is laid out in the window instead of about the scene.
+     */
+    public Layout sheet() {
+        return new Layout(
+                0,
+                0,
+                width / type,
+                height / type,
+                ratio * type,
+                1,
+                new Touch(touch.least() / type, touch.hidden().times(1 / type)));
+    }
+
     /** Height of something to click, px: in a hand, at least that of a finger. */
     public double clickable(double usual) {
         return Math.max(usual, touch.least());

@@ -23,6 +23,9 @@ public record Pane(int width, int height, double contentScale, Edges hidden) {
                         ? Layout.inHand(width, height, contentScale, hidden)
                         : Layout.of(width, height, contentScale);
         Layout lettered = plain.withText(text, scene.mostType());
+        if (lettered.isInHand() && scene.isSheet()) {
+            return lettered.sheet();
+        }
         return scene.hasColumns() ? lettered.withColumns() : lettered;
     }
 

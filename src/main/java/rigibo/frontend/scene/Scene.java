@@ -39,6 +39,14 @@ public interface Scene {
     }
 
     /**
+     * Whether its layout for a hand is in px of a {@link Layout#sheet}: for scenes that are lists
+     * and plates, and nothing but those.
+     */
+    default boolean isSheet() {
+        return false;
+    }
+
+    /**
      * Goes on by one {@link #STEP}: once in a turn of the loop, more often when pictures are late.
      */
     void step();

@@ -32,6 +32,7 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** The gallery, used as a player does, with everything that the game ships in it. */
 class GalleryTest {
@@ -86,6 +87,7 @@ class GalleryTest {
             scene.keyPressed(Key.SPACE);
             assertThat(Legibility.faults(scene)).isEmpty();
             assertThat(Legibility.faults(scene, WIDE)).isEmpty();
+            assertThat(Legibility.faultsInHand(scene)).isEmpty();
             assertThat(RecordingCanvas.of(scene).texts()).contains(found.source());
         }
     }
@@ -140,6 +142,52 @@ class GalleryTest {
         assertThat(exhibits())
                 .allMatch(
                         found -> canvas.textWidth(words.about(found), 17, Canvas.Font.WORDS) < 656);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void everyPageCanBeReadAndTouchedInAHand(String language) {
+        RecordingDirector told = new RecordingDirector(language);
+        Scene scene = new GalleryScene(told, Optional.empty());
+        for (Layout layout : Legibility.hands(scene)) {
+            RecordingCanvas.of(scene, layout);
+            Set<String> seen = new HashSet<>();
+            while (seen.addAll(RecordingCanvas.of(scene, layout).texts())) {
+                assertThat(Legibility.faults(scene, layout)).isEmpty();
+                touch(scene, layout, "›");
+            }
+            GalleryPlaces places = GalleryPlaces.of(layout, 3);
+            assertThat(
+                            Stream.of(
+                                    places.back(),
+                                    places.tabs().first(),
+                                    places.pagers().first(),
+                                    places.cards().first()))
+                    .allMatch(at -> Math.min(at.width(), at.height()) * layout.ratio() > 43.99);
+        }
+    }
+
+    @Test
+    void anExhibitIsUsedByButtonsInAHand() {
+        for (Layout layout : Legibility.HANDS) {
+            RecordingDirector director = new RecordingDirector();
+            Scene scene = new ExhibitScene(director, exhibits().get(0));
+            assertThat(Legibility.tooSmallForFingers(scene, layout)).isEmpty();
+            touch(scene, layout, "Pause");
+            assertThat(RecordingCanvas.of(scene, layout).texts()).contains("paused");
+            touch(scene, layout, "more");
+            assertThat(Legibility.faults(scene, layout)).isEmpty();
+            touch(scene, layout, "GAME");
+            assertThat(RecordingCanvas.of(scene, layout).texts()).contains("FINE");
+            touch(scene, layout, "Gallery");
+            assertThat(director.shown).hasSize(1);
+        }
+    }
+
+    private static void touch(Scene scene, Layout layout, String words) {
+        double[] at = RecordingCanvas.of(scene, layout).firstMiddleOf(words);
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
 
     /** The page of samples is right about what hangs here, and forgets none. */

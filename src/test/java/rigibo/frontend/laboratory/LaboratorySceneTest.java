@@ -10,10 +10,12 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Parting;
 
@@ -205,6 +207,7 @@ class LaboratorySceneTest {
             scene.keyPressed(Key.G);
             assertThat(Legibility.faults(scene)).isEmpty();
             run(scene, 100);
+            assertThat(Legibility.faultsInHand(scene)).isEmpty();
             assertThat(Legibility.faults(scene)).isEmpty();
         }
         scene.keyPressed(Key.X);
@@ -212,6 +215,38 @@ class LaboratorySceneTest {
         scene.keyPressed(Key.G);
         scene.keyPressed(Key.C);
         assertThat(Legibility.faults(scene)).isEmpty();
+    }
+
+    @Test
+    void isUsedByButtonsInAHand() {
+        RecordingDirector director = new RecordingDirector("en");
+        LaboratoryScene scene = new LaboratoryScene(director);
+        for (Layout layout : Legibility.hands(scene)) {
+            Preset before = scene.left().preset();
+            touch(scene, layout, before.name());
+            assertThat(scene.left().preset()).isEqualTo(before.next());
+            run(scene, 10);
+            touch(scene, layout, "Restart");
+            assertThat(scene.left().pool().time()).isZero();
+            touch(scene, layout, "Pause");
+            run(scene, 1);
+            assertThat(scene.left().pool().time()).isZero();
+            touch(scene, layout, "Pause");
+            touch(scene, layout, "stack");
+            touch(scene, layout, "Overlap");
+            assertThat(RecordingCanvas.of(scene, layout).texts())
+                    .as("on its button and above the graph")
+                    .filteredOn("Overlap"::equals)
+                    .hasSize(2);
+            touch(scene, layout, "Menu");
+        }
+        assertThat(director.asked).hasSize(Legibility.HANDS.size()).containsOnly("menu");
+    }
+
+    private static void touch(Scene scene, Layout layout, String words) {
+        double[] at = RecordingCanvas.of(scene, layout).firstMiddleOf(words);
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
 
     @ParameterizedTest
@@ -224,6 +259,12 @@ class LaboratorySceneTest {
                 scene.left().choose(preset);
                 for (int second = 0; second < 10; second += 2) {
                     assertThat(Legibility.faults(scene)).as(experiment + " " + preset).isEmpty();
+                    assertThat(Legibility.faultsInHand(scene))
+                            .as(experiment + " " + preset)
+                            .isEmpty();
+                    for (Layout layout : Legibility.hands(scene)) {
+                        assertThat(Legibility.tooSmallForFingers(scene, layout)).isEmpty();
+                    }
                     run(scene, 120);
                 }
             }

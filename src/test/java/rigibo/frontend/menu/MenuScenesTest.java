@@ -18,6 +18,7 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.widget.Widget;
 
+import java.time.LocalDate;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -148,6 +149,8 @@ class MenuScenesTest {
             levels.keyPressed(Key.RIGHT_BRACKET);
         }
         assertLegibleInHand(new SettingsScene(told));
+        assertLegibleInHand(new KeysScene(told));
+        assertLegibleInHand(new StatisticsScene(told, Entries.all(40), LocalDate.EPOCH));
         told.tell(NOTICE);
         assertLegibleInHand(new MenuScene(told, Entries.all(15)));
     }
@@ -174,6 +177,19 @@ class MenuScenesTest {
                                     levels.watch()))
                     .allMatch(plate -> plate.height() >= least && plate.width() >= least);
             assertThat(Widget.row(layout)).isGreaterThanOrEqualTo(least);
+            Layout sheet = layout.sheet();
+            KeysPlaces keys = KeysPlaces.of(sheet);
+            assertThat(
+                            Stream.of(
+                                    keys.levels().first(),
+                                    keys.demos().first(),
+                                    keys.reset(),
+                                    keys.back(),
+                                    StatisticsPlaces.of(sheet).back()))
+                    .allMatch(
+                            plate ->
+                                    Math.min(plate.height(), plate.width()) * sheet.ratio()
+                                            > 43.99);
         }
     }
 

@@ -100,13 +100,16 @@ class ReplaySceneTest {
         for (Recording one : List.of(recording, other)) {
             ReplayScene scene = scene(language, one);
             assertThat(Legibility.faults(scene)).isEmpty();
+            assertThat(Legibility.faultsInHand(scene)).isEmpty();
             turn(scene, 100);
             scene.keyPressed(Key.SPACE);
             assertThat(Legibility.faults(scene)).isEmpty();
+            assertThat(Legibility.faultsInHand(scene)).isEmpty();
             scene.keyPressed(Key.SPACE);
             scene.keyPressed(Key.LEFT);
             turn(scene, 2 * recording.steps());
             assertThat(Legibility.faults(scene)).isEmpty();
+            assertThat(Legibility.faultsInHand(scene)).isEmpty();
             assertThat(scene.title())
                     .contains(LevelTexts.sound().title().in(new Words(language).locale()));
         }

@@ -16,6 +16,9 @@ public final class Legibility {
 
     private static final double ROUND_OFF = 1e-9;
 
+    /** A button in a row of a panel is drawn so much within what is touched, above and below. */
+    private static final double ROW_GAP = 2;
+
     private static final Layout SMALLEST_WINDOW = Layout.of(612, 680, 1);
 
     /** Phones with and without a notch, upright and lying. */
@@ -31,11 +34,28 @@ public final class Legibility {
     /** One sentence for each fault of a scene in a window in a hand. */
     public static List<String> faultsInHand(Scene scene) {
         List<String> faults = new ArrayList<>();
-        for (Layout layout : HANDS) {
+        for (Layout layout : hands(scene)) {
             String where = " in a hand, " + layout.width() + " by " + layout.height();
             faults(scene, layout).forEach(fault -> faults.add(fault + where));
         }
         return faults;
+    }
+
+    /** The layouts that a scene has on phones. */
+    public static List<Layout> hands(Scene scene) {
+        return HANDS.stream().map(hand -> scene.isSheet() ? hand.sheet() : hand).toList();
+    }
+
+    /**
+     * One sentence for each plate that looks like a button, since it is lit and has words in its
+     * middle, and is too small for a finger.
+     */
+    public static List<String> tooSmallForFingers(Scene scene, Layout layout) {
+        double least = layout.touch().least() - 2 * ROW_GAP * layout.type();
+        return RecordingCanvas.of(scene, layout).buttons().stream()
+                .filter(button -> button.shorterSide() < least - ROUND_OFF)
+                .map(button -> button + " is too small for a finger")
+                .toList();
     }
 
     /**

@@ -5,6 +5,7 @@ import rigibo.backend.geometry.Shape;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 
 /** Keeps what a scene draws, so that a test can tell whether it can be read. */
 public final class RecordingCanvas implements Canvas {
@@ -14,6 +15,12 @@ public final class RecordingCanvas implements Canvas {
 
     /** Below this opacity a panel hardly dims what is under it. */
     private static final double DIMMING = 0.5;
+
+    /** The colours of plates that can be pressed. */
+    private static final Set<Color> LIT = Set.of(Color.PANEL_LIT, Color.BRASS);
+
+    /** What is not so far from a middle is in it, px. */
+    private static final double MIDDLE = 1;
 
     /** A panel, or a text as wide as it is drawn and as high as its size, in logical pixels. */
     record Mark(String words, Typeface face, double left, double top, double right, double bottom) {
@@ -42,6 +49,10 @@ public final class RecordingCanvas implements Canvas {
             return left <= x && x <= right && top <= y && y <= bottom;
         }
 
+        double shorterSide() {
+            return Math.min(right - left, bottom - top);
+        }
+
         @Override
         public String toString() {
             String what = isText() ? "\"" + words + "\"" : "panel";
@@ -59,7 +70,13 @@ public final class RecordingCanvas implements Canvas {
     public record Ring(double x, double y, double radius, double fraction, Color color) {}
 
     /** A panel with its colour. */
-    private record Plate(Mark place, Color color) {}
+    private record Plate(Mark place, Color color) {
+
+        boolean isAbout(Mark text) {
+            double aside = place.left + place.right - text.left - text.right;
+            return Math.abs(aside) < 2 * MIDDLE;
+        }
+    }
 
     private final List<Mark> marks = new ArrayList<>();
     private final List<Plate> plates = new ArrayList<>();
@@ -144,6 +161,21 @@ public final class RecordingCanvas implements Canvas {
                 .reduce((below, above) -> above)
                 .orElseThrow()
                 .color;
+    }
+
+    /** The lit plates that have words in their middle. */
+    List<Mark> buttons() {
+        List<Mark> buttons = new ArrayList<>();
+        for (Mark mark : marks) {
+            if (mark.isText()) {
+                plates.stream()
+                        .filter(plate -> plate.place.containsMiddleOf(mark))
+                        .reduce((below, above) -> above)
+                        .filter(plate -> LIT.contains(plate.color) && plate.isAbout(mark))
+                        .ifPresent(plate -> buttons.add(plate.place));
+            }
+        }
+        return buttons;
     }
 
     /** How many frames there are round a text. */

@@ -21,12 +21,15 @@ final class PageInput {
     /** Pixels by which a wheel scrolls a page for each notch. */
     private static final double PER_NOTCH = 100;
 
-    private static final double NANOS = 1e9;
+    private static final double MILLIS = 1e3;
 
     private final PageSurface surface;
     private final PageDisplay display;
     private Input input;
     private Finger finger;
+
+    /** When the last touch was, s: a page that is late must not take a short one for a long one. */
+    private double touched;
 
     PageInput(PageSurface surface, PageDisplay display) {
         this.surface = surface;
@@ -63,7 +66,7 @@ final class PageInput {
                         display::toggleMute,
                         () -> {},
                         () -> display.settings().keys());
-        finger = new Finger(input, () -> System.nanoTime() / NANOS);
+        finger = new Finger(input, () -> touched);
     }
 
     private void moved(Event event) {
@@ -93,6 +96,7 @@ final class PageInput {
         if (isFirst(mouse) && isFinger(event)) {
             look();
             capture(event);
+            touched = millis(event) / MILLIS;
             finger.down(x(event), y(event));
         } else if (isFirst(mouse)) {
             point(mouse);
@@ -106,6 +110,7 @@ final class PageInput {
         MouseEvent mouse = (MouseEvent) event;
         if (isFirst(mouse) && isFinger(event)) {
             look();
+            touched = millis(event) / MILLIS;
             finger.lifted();
         } else if (isFirst(mouse)) {
             point(mouse);
@@ -178,6 +183,9 @@ final class PageInput {
 
     @JSBody(params = "event", script = "return event.pointerType === 'touch';")
     private static native boolean isFinger(Event event);
+
+    @JSBody(params = "event", script = "return event.timeStamp;")
+    private static native double millis(Event event);
 
     /** What is dragged goes on beyond the page's edge. */
     @JSBody(params = "event", script = "event.target.setPointerCapture(event.pointerId);")

@@ -10,8 +10,10 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** The controls around a replay: title, counts, a time line with its clicks, and keys. */
@@ -35,6 +37,9 @@ public final class ReplayBar {
     private static final double KEYS_SIZE = 16;
     private static final double LINE = 25;
 
+    private static final double LINE_IN_HAND = 21;
+    private static final double PADDING = 10;
+
     private final Recording recording;
 
     public ReplayBar(Recording recording) {
@@ -56,20 +61,49 @@ public final class ReplayBar {
                 Canvas.Font.NUMBERS,
                 Canvas.Align.RIGHT,
                 Color.TEXT);
-        drawTime(canvas, Math.min(1, game.steps() / (double) recording.steps()));
+        drawTime(canvas, game, LEFT, RIGHT - LEFT, TIME_Y);
     }
 
-    private void drawTime(Canvas canvas, double share) {
-        canvas.line(LEFT, TIME_Y, RIGHT, TIME_Y, 3, Color.PANEL_LIT);
-        canvas.line(LEFT, TIME_Y, at(share), TIME_Y, 3, Color.BRASS);
-        for (Act act : recording.replay().acts()) {
-            double x = at(act.step() / (double) recording.steps());
-            canvas.line(x, TIME_Y - 5, x, TIME_Y + 5, 3, Color.TEXT);
+    /**
+     * Draws the same, one below the other, at the upper edge of a room in a hand, px; returns where
+     * it ends.
+     */
+    public double drawInHand(
+            Canvas canvas, Plate room, Words words, PuzzleGame game, String state) {
+        List<String> said = new ArrayList<>();
+        said.add(recording.level().title().in(words.locale()));
+        said.add(state);
+        said.add(Counts.counts(words, recording.level().limits(), game));
+        double inner = room.width() - 2 * PADDING;
+        List<String> lines =
+                said.stream()
+                        .flatMap(
+                                one ->
+                                        Lines.of(canvas, one, KEYS_SIZE, Canvas.Font.WORDS, inner)
+                                                .stream())
+                        .toList();
+        double height = lines.size() * LINE_IN_HAND + 3 * PADDING;
+        canvas.panel(room.x(), room.y(), room.width(), height, 14, Color.PANEL);
+        double left = room.x() + PADDING;
+        double y = room.y() + PADDING + LINE_IN_HAND / 2;
+        for (String line : lines) {
+            Color ink = line.equals(said.get(0)) ? Color.BRASS : Color.TEXT;
+            Print.left(canvas, line, left, y, KEYS_SIZE, ink);
+            y += LINE_IN_HAND;
         }
+        double end = room.y() + height;
+        drawTime(canvas, game, left, inner, end - PADDING);
+        return end;
     }
 
-    private static double at(double share) {
-        return LEFT + share * (RIGHT - LEFT);
+    private void drawTime(Canvas canvas, PuzzleGame game, double left, double width, double y) {
+        double share = Math.min(1, game.steps() / (double) recording.steps());
+        canvas.line(left, y, left + width, y, 3, Color.PANEL_LIT);
+        canvas.line(left, y, left + share * width, y, 3, Color.BRASS);
+        for (Act act : recording.replay().acts()) {
+            double x = left + act.step() / (double) recording.steps() * width;
+            canvas.line(x, y - 5, x, y + 5, 3, Color.TEXT);
+        }
     }
 
     /** Draws the keys below the play, and over its foot where one line does not hold them. */
@@ -87,9 +121,9 @@ public final class ReplayBar {
         }
     }
 
-    /** Draws whether the replay ran as recorded, below the bar. */
-    public void drawVerdict(Canvas canvas, Words words, Verdict verdict) {
-        VerdictPlate.draw(canvas, words, verdict, View.BAR_FOOT);
+    /** Draws whether the replay ran as recorded, below where the bar ends, px. */
+    public void drawVerdict(Canvas canvas, Words words, Verdict verdict, double end) {
+        VerdictPlate.draw(canvas, words, verdict, end);
     }
 
     private static void text(

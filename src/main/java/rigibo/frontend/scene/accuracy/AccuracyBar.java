@@ -80,11 +80,11 @@ public final class AccuracyBar {
 
     /** Its height where it is so wide, px. */
     public static double height(Layout layout, double width) {
-        double beside = width - 2 * PADDING - Dial.width(layout.type()) - GAP;
+        double beside = width - 2 * PADDING - Dial.width(layout) - GAP;
         if (beside < LEAST_ROOM) {
-            return 3 * PADDING + Dial.HEIGHT + LINES_BELOW * LINE;
+            return 3 * PADDING + Dial.height(layout) + LINES_BELOW * LINE;
         }
-        return 2 * PADDING + Math.max(Dial.HEIGHT, linesBeside(layout) * LINE);
+        return 2 * PADDING + Math.max(Dial.height(layout), linesBeside(layout) * LINE);
     }
 
     /** Where text is enlarged, one line beside the dial does not hold the numbers. */
@@ -108,10 +108,10 @@ public final class AccuracyBar {
 
     private void place(Layout layout, double x, double y, double width) {
         plate = new Plate(x, y, width, height(layout, width));
-        double dialled = PADDING + Dial.width(layout.type()) + GAP;
+        double dialled = PADDING + Dial.width(layout) + GAP;
         boolean isBelow = width - dialled - PADDING < LEAST_ROOM;
         double inset = 2 * PADDING;
-        double below = 2 * PADDING + Dial.HEIGHT;
+        double below = 2 * PADDING + Dial.height(layout);
         room =
                 isBelow
                         ? new Plate(x + inset, y + below, width - 2 * inset, LINES_BELOW * LINE)

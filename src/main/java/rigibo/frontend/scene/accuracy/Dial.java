@@ -3,6 +3,7 @@ package rigibo.frontend.scene.accuracy;
 import rigibo.backend.Pool;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.widget.Spread;
 
 import java.util.Arrays;
@@ -23,9 +24,13 @@ public final class Dial {
     /** Mean width of a position with text of its usual size, px. */
     private static final double SEGMENT = 56;
 
+    private static final double SEGMENT_IN_HAND = 72;
+
     private final Pool pool;
     private double x;
     private double y;
+
+    private double height = HEIGHT;
 
     /** Where each position ends, px from the left; nowhere until it is drawn. */
     private double[] ends = new double[NAMES.size()];
@@ -35,18 +40,25 @@ public final class Dial {
         this.pool = pool;
     }
 
-    /** Its width with text enlarged by a factor, px. */
-    static double width(double type) {
-        return Preset.values().length * SEGMENT * type;
+    /** Its width, px. */
+    static double width(Layout layout) {
+        double segment = layout.isInHand() ? SEGMENT_IN_HAND : SEGMENT;
+        return Preset.values().length * segment * layout.type();
+    }
+
+    /** Its height, px. */
+    static double height(Layout layout) {
+        return layout.clickable(HEIGHT);
     }
 
     /** Draws it with its upper left corner at a point, px; there it is from then on. */
     public void draw(Canvas canvas, double left, double top) {
         x = left;
         y = top;
-        double width = width(canvas.layout().type());
+        double width = width(canvas.layout());
+        height = height(canvas.layout());
         ends = Spread.ends(canvas, NAMES, SIZE, width);
-        canvas.panel(x, y, width, HEIGHT, 8, Color.PANEL_LIT);
+        canvas.panel(x, y, width, height, 8, Color.PANEL_LIT);
         double from = 0;
         for (Preset preset : Preset.values()) {
             double end = ends[preset.ordinal()];
@@ -58,12 +70,12 @@ public final class Dial {
     private void draw(Canvas canvas, Preset preset, double from, double segment) {
         boolean isLit = pool.accuracy().equals(preset.accuracy());
         if (isLit) {
-            canvas.panel(from, y, segment, HEIGHT, 8, Color.BRASS);
+            canvas.panel(from, y, segment, height, 8, Color.BRASS);
         }
         canvas.text(
                 preset.name(),
                 from + segment / 2,
-                y + HEIGHT / 2,
+                y + height / 2,
                 SIZE,
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,
@@ -77,7 +89,7 @@ public final class Dial {
 
     /** The position under a point, px. */
     public Optional<Preset> at(double px, double py) {
-        boolean isBeside = px < x || py < y || py >= y + HEIGHT;
+        boolean isBeside = px < x || py < y || py >= y + height;
         return Arrays.stream(Preset.values())
                 .filter(preset -> !isBeside && px < x + ends[preset.ordinal()])
                 .findFirst();

@@ -81,7 +81,9 @@ final class ChipLayout {
         double needed = canvas.textWidth(title, 16, Canvas.Font.WORDS) + 2 * margin;
         for (int i = isCrowded ? 0 : row; i < ends.length; i++) {
             if (ends[i] + needed <= width) {
-                chips.add(new Chip(reason, title, ends[i], i * (Chip.HEIGHT + GAP), needed));
+                double height = Chip.height(canvas.layout());
+                double y = i * (height + GAP);
+                chips.add(new Chip(reason, title, ends[i], y, needed, height));
                 ends[i] += needed + (isCrowded ? CROWDED_GAP : GAP);
                 row = i;
                 return true;

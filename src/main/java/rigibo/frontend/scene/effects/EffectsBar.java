@@ -33,6 +33,9 @@ public final class EffectsBar {
     /** Width from which on two rows are enough, px. */
     private static final double WIDE = 500;
 
+    /** Lines of words in a hand, whatever is said. */
+    private static final int LINES_IN_HAND = 7;
+
     /** Lines of words, and where text is enlarged. */
     private static final int SHORT_LINES = 2;
 
@@ -45,7 +48,7 @@ public final class EffectsBar {
     private static final double SIZE = 16;
 
     /** Height where it is as wide as a scene and its words are short, px. */
-    public static final double HEIGHT = height(ROWS, SHORT_LINES);
+    public static final double HEIGHT = height(Chip.HEIGHT, ROWS, SHORT_LINES);
 
     private final SceneEffects scene;
     private final Words words;
@@ -76,7 +79,18 @@ public final class EffectsBar {
     /** Draws the bar with its upper left corner at a point, px, so wide. */
     public void draw(Canvas canvas, double x, double y, double width) {
         int lines = width >= WIDE ? reserved(canvas.layout()) : SHORT_LINES;
-        lay(canvas, width, lines, laid -> new Plate(x, y, width, laid));
+        lay(canvas, width, most(width), lines, laid -> new Plate(x, y, width, laid));
+    }
+
+    /** Draws the bar at the upper edge of a room in a hand, with as many chips as fit into it. */
+    public void draw(Canvas canvas, Plate room) {
+        double chip = Chip.height(canvas.layout());
+        int rows = MOST_ROWS;
+        while (rows > 1 && height(chip, rows, LINES_IN_HAND) > room.height()) {
+            rows--;
+        }
+        double width = room.width();
+        lay(canvas, width, rows, LINES_IN_HAND, laid -> new Plate(room.x(), room.y(), width, laid));
     }
 
     /**
@@ -87,13 +101,14 @@ public final class EffectsBar {
         lay(
                 canvas,
                 width,
+                most(width),
                 reserved(canvas.layout()),
                 laid -> new Plate(x, bottom - laid, width, laid));
     }
 
     /** Its height where it is as wide as a scene, whatever it says. */
     public static double height(Layout layout) {
-        return height(ROWS, reserved(layout));
+        return height(Chip.height(layout), ROWS, reserved(layout));
     }
 
     /** Lines that are left for its words, of which more take two where text is enlarged. */
@@ -101,23 +116,29 @@ public final class EffectsBar {
         return layout.type() > 1 ? MOST_LINES : SHORT_LINES;
     }
 
-    private void lay(Canvas canvas, double width, int lines, DoubleFunction<Plate> place) {
-        List<Chip> laid =
-                ChipLayout.of(scene, canvas, width - 2 * PADDING, width >= WIDE ? ROWS : MOST_ROWS);
+    /** Most rows of chips. */
+    private static int most(double width) {
+        return width >= WIDE ? ROWS : MOST_ROWS;
+    }
+
+    private void lay(
+            Canvas canvas, double width, int most, int lines, DoubleFunction<Plate> place) {
+        List<Chip> laid = ChipLayout.of(scene, canvas, width - 2 * PADDING, most);
         int rows = width >= WIDE ? ROWS : ChipLayout.rows(laid);
         List<String> what = lines(canvas, what(), width);
         List<String> cost = lines(canvas, cost(), width);
         int said = what.size() + cost.size() + (isMarked() && width < WIDE ? 1 : 0);
-        plate = place.apply(height(rows, Math.max(lines, said)));
+        double each = Chip.height(canvas.layout());
+        plate = place.apply(height(each, rows, Math.max(lines, said)));
         chips =
                 laid.stream()
                         .map(chip -> chip.movedBy(plate.x() + PADDING, plate.y() + PADDING))
                         .toList();
-        draw(canvas, plate.y() + height(rows, 0) - 6 + LINE / 2, what, cost);
+        draw(canvas, plate.y() + height(each, rows, 0) - 6 + LINE / 2, what, cost);
     }
 
-    private static double height(int rows, int lines) {
-        double chips = rows * (Chip.HEIGHT + ChipLayout.GAP) - ChipLayout.GAP;
+    private static double height(double chip, int rows, int lines) {
+        double chips = rows * (chip + ChipLayout.GAP) - ChipLayout.GAP;
         return PADDING + chips + 6 + lines * LINE + 6;
     }
 

@@ -4,6 +4,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Tap;
 
 import java.util.List;
 
@@ -28,6 +29,9 @@ public final class Panel {
 
     private double space;
     private int columns = 1;
+
+    /** Where it ends at the latest in a hand, px. */
+    private double end = Double.POSITIVE_INFINITY;
 
     /** A panel with its upper left corner at (x, y), px. */
     public Panel(double x, double y, double width, List<Widget> widgets) {
@@ -62,6 +66,12 @@ public final class Panel {
         width = wide;
     }
 
+    /** Moves it to the upper edge of a room, px, beyond which it does not go in a hand. */
+    public void place(Plate room) {
+        place(room.x(), room.y(), room.width());
+        end = room.bottom();
+    }
+
     /** Height with its padding, px. */
     public double height() {
         return rows() * pitch() + 2 * PADDING;
@@ -79,10 +89,10 @@ public final class Panel {
     /** Draws the plate and its rows; in a hand in two columns where one is too high. */
     public void draw(Canvas canvas) {
         Layout layout = canvas.layout();
-        row = Widget.row(layout);
+        row = widgets.stream().mapToDouble(widget -> widget.height(layout)).max().orElse(0);
         space = layout.isInHand() ? 0 : gap;
         columns = 1;
-        if (layout.isInHand() && y + height() > layout.seenBottom()) {
+        if (layout.isInHand() && y + height() > Math.min(end, layout.seenBottom())) {
             columns = 2;
         }
         canvas.panel(x, y, width, height(), 12, Color.PANEL);
@@ -109,6 +119,12 @@ public final class Panel {
     /** Whether a point lies on the plate. */
     public boolean contains(double px, double py) {
         return px >= x && px <= x + width && py >= y && py <= y + height();
+    }
+
+    /** When a finger at a point presses what is there: a rail at once, since it is dragged. */
+    public Tap tap(double px, double py) {
+        int row = rowAt(px, py);
+        return row != NOTHING && widgets.get(row).isDragged() ? Tap.AT_ONCE : Tap.LIFTED;
     }
 
     /** The pointer moved; drags what is held. */

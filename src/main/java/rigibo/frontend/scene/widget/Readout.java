@@ -2,6 +2,7 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 
 import java.util.function.Supplier;
 
@@ -13,9 +14,17 @@ import java.util.function.Supplier;
  */
 public record Readout(String words, Supplier<String> value) implements Widget {
 
+    /** The height of a line in a hand, where nobody touches it, px. */
+    private static final double LINE = 26;
+
+    @Override
+    public double height(Layout layout) {
+        return layout.isInHand() ? layout.lettered(LINE) : ROW;
+    }
+
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
-        double middle = y + Widget.row(canvas.layout()) / 2;
+        double middle = y + height(canvas.layout()) / 2;
         canvas.text(words, x, middle, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT_DIM);
         canvas.text(
                 value.get(),

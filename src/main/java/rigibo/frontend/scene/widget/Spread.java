@@ -26,4 +26,42 @@ public final class Spread {
         }
         return ends;
     }
+
+    /**
+     * The same with no place narrower than a least width, px: what short words take more is taken
+     * from the others.
+     */
+    public static double[] ends(
+            Canvas canvas, List<String> words, double size, double width, double least) {
+        double[] needed = new double[words.size()];
+        for (int i = 0; i < needed.length; i++) {
+            needed[i] = canvas.textWidth(words.get(i), size, Canvas.Font.WORDS);
+        }
+        boolean[] isShort = new boolean[needed.length];
+        double room = room(needed, isShort, width, least);
+        for (int turn = 0; turn < needed.length; turn++) {
+            for (int i = 0; i < needed.length; i++) {
+                isShort[i] |= needed[i] + room < least;
+            }
+            room = room(needed, isShort, width, least);
+        }
+        double[] ends = new double[needed.length];
+        double end = 0;
+        for (int i = 0; i < ends.length; i++) {
+            end += isShort[i] ? least : needed[i] + room;
+            ends[i] = end;
+        }
+        return ends;
+    }
+
+    /** What each place gets beside its word, if those of short words are as wide as the least. */
+    private static double room(double[] needed, boolean[] isShort, double width, double least) {
+        double left = width;
+        int others = 0;
+        for (int i = 0; i < needed.length; i++) {
+            left -= isShort[i] ? least : needed[i];
+            others += isShort[i] ? 0 : 1;
+        }
+        return others == 0 ? 0 : left / others;
+    }
 }

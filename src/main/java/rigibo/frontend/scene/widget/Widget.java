@@ -14,6 +14,11 @@ public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
         return layout.clickable(ROW);
     }
 
+    /** The height that it needs, px. */
+    default double height(Layout layout) {
+        return row(layout);
+    }
+
     /** Draws the row; {@code isHot} under the pointer or chosen by keys. */
     void draw(Canvas canvas, double x, double y, double width, boolean isHot);
 

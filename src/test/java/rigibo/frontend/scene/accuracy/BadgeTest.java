@@ -6,6 +6,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
@@ -13,7 +14,7 @@ import rigibo.frontend.scene.Words;
 class BadgeTest {
 
     /** Beside the dial, from its end to the bar's, px. */
-    private static final double ROOM = Scene.WIDTH - 8 - (8 + 5 + Dial.width(1) + 9);
+    private static final double ROOM = Scene.WIDTH - 8 - (8 + 5 + Dial.width(Layout.ALONE) + 9);
 
     @ParameterizedTest
     @ValueSource(strings = {"en", "de"})

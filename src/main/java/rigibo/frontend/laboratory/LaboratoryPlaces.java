@@ -1,0 +1,128 @@
+package rigibo.frontend.laboratory;
+
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.widget.Plate;
+
+/**
+ * Where the parts of the laboratory are, logical px; in a hand, px of a sheet.
+ *
+ * @param commands what keys do elsewhere; nowhere on a desk
+ * @param experiments their buttons
+ * @param rows of those
+ * @param left the one half
+ * @param right the other one
+ * @param status the price of a step, and the pace
+ * @param drawers the buttons for what is below
+ * @param graph what is opened by them
+ */
+record LaboratoryPlaces(
+        Plate commands,
+        Plate experiments,
+        int rows,
+        Plate left,
+        Plate right,
+        Plate status,
+        Plate drawers,
+        Plate graph) {
+
+    private static final double EDGE = 8;
+    private static final double GAP = 6;
+    private static final double STATUS = 34;
+    private static final double STATUS_IN_HAND = 50;
+
+    /** Least width of what stands beside the halves in a window that lies, px. */
+    private static final double BESIDE = 339;
+
+    /** Height that is left for the graph in an upright window, px. */
+    private static final double GRAPH = 150;
+
+    /** The scene as it is on a desk. */
+    static final LaboratoryPlaces ON_A_DESK = onADesk();
+
+    static LaboratoryPlaces of(Layout layout) {
+        if (!layout.isInHand()) {
+            return ON_A_DESK;
+        }
+        return layout.isUpright() ? upright(layout) : lying(layout);
+    }
+
+    private static LaboratoryPlaces onADesk() {
+        double width = Scene.WIDTH - 2 * EDGE;
+        Plate bar = new Plate(EDGE, EDGE, width, ButtonBar.HEIGHT);
+        double top = bar.bottom() + GAP;
+        Plate left = new Plate(EDGE, top, HalfView.WIDTH, HalfView.HEIGHT);
+        Plate right =
+                new Plate(Scene.WIDTH - EDGE - HalfView.WIDTH, top, HalfView.WIDTH, left.height());
+        Plate status = new Plate(EDGE, left.bottom() + GAP, width, STATUS);
+        Plate drawers = below(status, ButtonBar.HEIGHT);
+        double graph = drawers.bottom() + GAP;
+        return new LaboratoryPlaces(
+                Plate.NONE,
+                bar,
+                1,
+                left,
+                right,
+                status,
+                drawers,
+                new Plate(EDGE, graph, width, Scene.HEIGHT - EDGE - graph));
+    }
+
+    /** All of it one below the other; the halves take what is left above the graph. */
+    private static LaboratoryPlaces upright(Layout sheet) {
+        double finger = sheet.clickable(0);
+        double x = sheet.seenLeft() + EDGE;
+        double width = sheet.seenRight() - EDGE - x;
+        Plate commands = new Plate(x, sheet.seenTop() + EDGE, width, finger);
+        Plate experiments = below(commands, finger);
+        double top = experiments.bottom() + GAP;
+        double foot = sheet.seenBottom() - EDGE;
+        double rest = foot - top - 3 * GAP - STATUS_IN_HAND - finger - GRAPH;
+        double half = (width - GAP) / 2;
+        double height = Math.min(rest, HalfView.height(sheet, half));
+        Plate left = new Plate(x, top, half, height);
+        Plate status = new Plate(x, left.bottom() + GAP, width, STATUS_IN_HAND);
+        Plate drawers = below(status, finger);
+        double graph = drawers.bottom() + GAP;
+        return new LaboratoryPlaces(
+                commands,
+                experiments,
+                1,
+                left,
+                new Plate(x + width - half, top, half, height),
+                status,
+                drawers,
+                new Plate(x, graph, width, foot - graph));
+    }
+
+    /** The halves with what is said of them, and beside them buttons and graph. */
+    private static LaboratoryPlaces lying(Layout sheet) {
+        double finger = sheet.clickable(0);
+        double x = sheet.seenLeft() + EDGE;
+        double top = sheet.seenTop() + EDGE;
+        double foot = sheet.seenBottom() - EDGE;
+        double height = foot - top - GAP - STATUS_IN_HAND;
+        double most = (sheet.seenRight() - 2 * EDGE - BESIDE - GAP - x) / 2;
+        double half = Math.min(most, HalfView.width(sheet, height));
+        Plate left = new Plate(x, top, half, height);
+        Plate right = new Plate(left.right() + GAP, top, half, height);
+        double beside = right.right() + EDGE;
+        Plate commands = new Plate(beside, top, sheet.seenRight() - EDGE - beside, finger);
+        Plate experiments = below(commands, 2 * finger);
+        Plate drawers = below(experiments, finger);
+        double graph = drawers.bottom() + GAP;
+        return new LaboratoryPlaces(
+                commands,
+                experiments,
+                2,
+                left,
+                right,
+                new Plate(x, left.bottom() + GAP, right.right() - x, STATUS_IN_HAND),
+                drawers,
+                new Plate(beside, graph, commands.width(), foot - graph));
+    }
+
+    private static Plate below(Plate upper, double height) {
+        return new Plate(upper.x(), upper.bottom() + GAP, upper.width(), height);
+    }
+}

@@ -1,0 +1,66 @@
+package rigibo.frontend.scene.widget;
+
+import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Enlarged;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Buttons around a scene in a hand, in place of keys. */
+public final class HandButtons {
+
+    private static final double SIZE = 16;
+
+    private final List<Plate> places = new ArrayList<>();
+    private final List<Item> items = new ArrayList<>();
+    private Optional<Enlarged> sheet = Optional.empty();
+
+    /**
+     * A button.
+     *
+     * @param words on it
+     * @param isLit whether what it switches is on
+     * @param action what it does
+     */
+    public record Item(String words, boolean isLit, Runnable action) {
+
+        /** A button that does something once. */
+        public Item(String words, Runnable action) {
+            this(words, false, action);
+        }
+    }
+
+    /** Draws buttons at places of a sheet, px; there they are until {@link #clear}. */
+    public void draw(Enlarged canvas, List<Plate> there, List<Item> drawn) {
+        sheet = Optional.of(canvas);
+        for (int i = 0; i < drawn.size(); i++) {
+            Plate at = there.get(i);
+            Item item = drawn.get(i);
+            Color plate = item.isLit ? Color.BRASS : Color.PANEL_LIT;
+            canvas.panel(at.x(), at.y(), at.width(), at.height(), 10, plate);
+            Color ink = item.isLit ? Color.DUSK_TOP : Color.TEXT;
+            double middle = at.y() + at.height() / 2;
+            Print.centred(canvas, item.words, at.x() + at.width() / 2, middle, SIZE, ink);
+            places.add(at);
+            items.add(item);
+        }
+    }
+
+    /** The button at a point of the scene, px. */
+    public Optional<Item> at(double x, double y) {
+        for (int i = 0; i < places.size(); i++) {
+            Plate place = places.get(i);
+            if (sheet.filter(on -> place.contains(on.x(x), on.y(y))).isPresent()) {
+                return Optional.of(items.get(i));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Forgets them all, before they are drawn anew. */
+    public void clear() {
+        places.clear();
+        items.clear();
+    }
+}
