@@ -9,13 +9,17 @@ import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
 
 /**
- * Says that a level is being made, with dots that come one after the other, or that none can be.
+ * Says that a level is being made and how far that is, with dots that come one after the other, or
+ * that none can be.
  */
 public final class MakingNote {
 
     private static final int DOTS = 3;
     private static final int DOT_STEPS = Steps.of(0.5);
     private static final double DOT_PITCH = 26;
+
+    /** From the middle of the note to the words how far the search is, px. */
+    private static final double EFFORT = 54;
 
     private MakingNote() {}
 
@@ -37,5 +41,11 @@ public final class MakingNote {
         for (int i = 0; i < shown; i++) {
             canvas.disc(middle + (i - (DOTS - 1) / 2.0) * DOT_PITCH, y + 20, 6, Color.BRASS);
         }
+        making.effort()
+                .map(effort -> words.of("made.effort", effort.plans(), effort.games()))
+                .ifPresent(
+                        told ->
+                                Print.centred(
+                                        canvas, told, middle, y + EFFORT, 16, Color.TEXT_DIM));
     }
 }
