@@ -28,7 +28,10 @@ public final class MissingMethods implements ClassHolderTransformer {
             Set.of(
                     "java.lang.String.format",
                     "java.util.Locale.forLanguageTag",
+                    "java.lang.Character.toString",
+                    "java.text.Normalizer.normalize",
                     "java.util.Collections.emptySortedMap",
+                    "java.util.Collections.shuffle",
                     "java.util.Collections.unmodifiableSortedMap",
                     "java.lang.Long.parseUnsignedLong",
                     "java.nio.file.Files.readString",

@@ -1,15 +1,19 @@
 package rigibo.web.library;
 
+import org.teavm.jso.JSBody;
+
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileAttribute;
+import java.text.Normalizer;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Random;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
@@ -38,6 +42,33 @@ public final class Missing {
     /** Of {@link Locale}. */
     public static Locale forLanguageTag(String language) {
         return new Locale(language);
+    }
+
+    /** Of {@link Character}. */
+    public static String toString(int codePoint) {
+        return new String(Character.toChars(codePoint));
+    }
+
+    /** Of {@link Normalizer}. */
+    public static String normalize(CharSequence text, Normalizer.Form form) {
+        return normalized(text.toString(), form.name());
+    }
+
+    @JSBody(
+            params = {"text", "form"},
+            script = "return text.normalize(form);")
+    private static native String normalized(String text, String form);
+
+    /** Of {@link Character}. */
+    public static String toString(char letter) {
+        return String.valueOf(letter);
+    }
+
+    /** Of {@link Collections}, whose own form draws in another order. */
+    public static <T> void shuffle(List<T> values, Random random) {
+        for (int i = values.size(); i > 1; i--) {
+            Collections.swap(values, i - 1, random.nextInt(i));
+        }
     }
 
     /** Of {@link Collections}. */
