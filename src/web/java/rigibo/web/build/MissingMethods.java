@@ -29,6 +29,8 @@ public final class MissingMethods implements ClassHolderTransformer {
                     "java.lang.String.format",
                     "java.util.Locale.forLanguageTag",
                     "java.lang.Character.toString",
+                    "java.lang.Math.toDegrees",
+                    "java.lang.Math.toRadians",
                     "java.text.Normalizer.normalize",
                     "java.util.Collections.emptySortedMap",
                     "java.util.Collections.shuffle",

@@ -68,7 +68,6 @@ final class TimesTable {
     }
 
     private static String beside(Step step, Step here) {
-        return String.format(
-                Locale.ROOT, "%.0f µs, %.1f times", step.micros, step.micros / here.micros);
+        return String.format(Locale.ROOT, "%.0f µs (%.1f)", step.micros, step.micros / here.micros);
     }
 }

@@ -27,6 +27,11 @@ import java.util.stream.Stream;
  */
 public final class Missing {
 
+    /** Of a degree, and the other way round, as Java rounds them. */
+    private static final double RADIANS = 0.017453292519943295;
+
+    private static final double DEGREES = 57.29577951308232;
+
     private Missing() {}
 
     /** Of {@link String}, whose own form knows no floating point. */
@@ -47,6 +52,16 @@ public final class Missing {
     /** Of {@link Character}. */
     public static String toString(int codePoint) {
         return new String(Character.toChars(codePoint));
+    }
+
+    /** Of {@link Math}, whose own form divides, which rounds otherwise. */
+    public static double toRadians(double degrees) {
+        return degrees * RADIANS;
+    }
+
+    /** Of {@link Math}. */
+    public static double toDegrees(double radians) {
+        return radians * DEGREES;
     }
 
     /** Of {@link Normalizer}. */
