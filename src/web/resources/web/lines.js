@@ -1,6 +1,6 @@
 // Shows what a program prints, for whoever reads the page. The page's link names it: lines.html?bits
 const lines = document.getElementById('lines');
-console.log = (...words) => {
+console.log = console.info = (...words) => {
     lines.textContent += words.join(' ') + '\n';
 };
 
@@ -20,7 +20,8 @@ const run = async () => {
     window.rigiboFiles = await text(name + '.txt');
     if (name.endsWith('-script')) {
         await script(name + '.js');
-        main([]);
+        // It goes on when it has begun, and calls back when it has ended.
+        await new Promise(ended => main([], ended));
     } else {
         await script(name + '-functions.js');
         (await TeaVM.wasmGC.load(name + '.wasm')).exports.main([]);
