@@ -17,8 +17,9 @@ class BitsInBrowserTest {
     @TempDir private Path folder;
 
     @Test
-    void randomProgramsAndRecordedRunsEndInTheSameState() throws IOException, InterruptedException {
+    void randomProgramsProofsAndRecordedRunsEndInTheSameState()
+            throws IOException, InterruptedException {
         assertThat(WebProgram.run(folder, "--bits"))
-                .contains("140 of 140 programs and runs have the bits of the JVM");
+                .contains("144 of 144 programs, proofs and runs have the bits of the JVM");
     }
 }

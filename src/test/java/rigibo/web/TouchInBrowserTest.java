@@ -9,9 +9,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 
 /**
- * A level is played to its verdict by touch, in a browser as large as a phone: nothing is written
- * to its console, and nothing is asked for beyond the page's folder. Where there is no browser, or
- * what compiles the page was never fetched, nothing is tested, and the test says so.
+ * A level is played to its verdict by touch, in a browser as large as a phone, and another made
+ * beside the page: under a policy that allows no code from texts, nothing is written to its
+ * console, and nothing is asked for beyond the page's folder. Where there is no browser, or what
+ * compiles the page was never fetched, nothing is tested, and the test says so.
  */
 class TouchInBrowserTest {
 
@@ -20,6 +21,7 @@ class TouchInBrowserTest {
     @Test
     void aLevelIsSolvedByFingers() throws IOException, InterruptedException {
         assertThat(WebProgram.run(folder, "--touch-one"))
-                .contains("1 of 1 levels were solved by touch");
+                .contains("1 of 1 levels were solved by touch")
+                .contains("beside the page: made");
     }
 }

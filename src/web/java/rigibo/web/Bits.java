@@ -17,8 +17,8 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /**
- * Prints the hash of the state that each of some random programs leaves, and whether runs of levels
- * go as they were recorded: the same lines on the JVM and in a browser.
+ * Prints what proofs find, the hash of the state that each of some random programs leaves, and
+ * whether runs of levels go as they were recorded: the same lines on the JVM and in a browser.
  */
 public final class Bits {
 
@@ -49,6 +49,7 @@ public final class Bits {
 
     /** Prints all lines, with the recorded runs of a folder. */
     public static void print(Path runs) throws IOException {
+        Proofs.print();
         for (int index = 0; index < COUNT; index++) {
             System.out.println(
                     MARK + "program " + index + ": " + outcome(Programs.of(SEED, index)));

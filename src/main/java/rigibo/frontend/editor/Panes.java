@@ -99,6 +99,9 @@ final class Panes {
         bar.button("test", true, shop::startTest);
         bar.button("check", !shop.isProving(), shop::check);
         bar.button("code", true, shop::copyCode);
+        if (shop.handsOver()) {
+            bar.button("file", true, shop::handOver);
+        }
         String name = shop.drawer().file().map(Panes::nameOf).orElse("");
         String star = shop.drawer().isSaved(shop.desk().draft()) ? "" : "* ";
         pane.text(bar.rest(), star + name, Canvas.Align.RIGHT, Color.TEXT_DIM);

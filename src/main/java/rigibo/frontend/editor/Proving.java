@@ -29,12 +29,25 @@ final class Proving {
                     false);
     private Draft draft;
     private ForkJoinTask<List<Problem>> task;
+    private volatile long games;
 
     void start(Draft proved) {
         if (!isBusy()) {
             draft = proved;
-            task = thread.submit(() -> LevelProof.problems("draft", proved.toString()));
+            games = 0;
+            task =
+                    thread.submit(
+                            () -> LevelProof.problems("draft", proved.toString(), this::count));
         }
+    }
+
+    private void count(long played) {
+        games = played;
+    }
+
+    /** Games that were played for the present proof, or the last one. */
+    long games() {
+        return games;
     }
 
     boolean isBusy() {

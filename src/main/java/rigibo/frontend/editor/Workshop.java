@@ -101,8 +101,11 @@ final class Workshop {
         return list;
     }
 
+    /** What was done last, in words, or how far a proof is. */
     String remark() {
-        return remark;
+        return isProving() && remark.isEmpty()
+                ? words().of("editor.proving", proving.games())
+                : remark;
     }
 
     boolean isProving() {
@@ -182,7 +185,7 @@ final class Workshop {
         inspection.look(desk.draft());
         if (inspection.level().isPresent()) {
             proving.start(desk.draft());
-            say("checking");
+            remark = "";
         } else {
             say("unplayable", inspection.errors());
         }
@@ -335,6 +338,16 @@ final class Workshop {
         remark = "";
         Optional<String> code = ShareCode.of(ShareCode.Kind.LEVEL, desk.draft().document());
         code.ifPresentOrElse(director::copy, () -> say("too-long"));
+    }
+
+    boolean handsOver() {
+        return director.handsOver();
+    }
+
+    /** Hands the level over as a file. */
+    void handOver() {
+        typing.end();
+        director.handOver(DraftFiles.nameOf(desk.draft()), desk.draft().toString());
     }
 
     /** Opens the level of a code; a text goes to the field that is typed into. */

@@ -8,8 +8,10 @@ import rigibo.frontend.puzzle.picture.LevelPicture;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
 import rigibo.frontend.scene.widget.TiledScene;
@@ -22,22 +24,28 @@ import java.util.Optional;
 /** Shows a level that is made by chance: its picture as soon as it is there, and the results. */
 final class MadeLevelScene implements TiledScene {
 
-    private static final double EDGE = 20;
-    private static final double BUTTON_WIDTH = 157;
-    private static final double BUTTON_HEIGHT = 42;
-    private static final double PICTURE_TOP = 84;
-    private static final double PICTURE_SIZE = 330;
-    private static final double PICTURE_LEFT = (WIDTH - PICTURE_SIZE) / 2;
     private static final double PICTURE_MARGIN = 16;
 
     /** Largest scale of the picture, px per m: a level of the world's width fills it. */
     private static final double PICTURE_SCALE = 40;
 
-    private static final double PLAY_TOP = PICTURE_TOP + PICTURE_SIZE + 14;
-    private static final double RESULTS_TOP = PLAY_TOP + BUTTON_HEIGHT + 22;
-    private static final double RESULTS_HEAD = 28;
-    private static final double ROW = 30;
     private static final int MOST_ROWS = 7;
+
+    /** Size of the heading, px, on a desk and in a hand. */
+    private static final double TITLE = 28;
+
+    private static final double TITLE_IN_HAND = 20;
+
+    /** Sizes of the heading over the results, and of those, px. */
+    private static final double HEADING = 20;
+
+    private static final double RESULT = 18;
+    private static final double RESULT_IN_HAND = 16;
+
+    /**
+     * Where the first column of results is, and the last from the right, as shares of the plate.
+     */
+    private static final double INDENT = 0.17;
 
     private final Director director;
     private final Words words;
@@ -45,6 +53,7 @@ final class MadeLevelScene implements TiledScene {
     private final Making making;
     private final List<List<String>> results;
     private Optional<LevelPicture> picture = Optional.empty();
+    private MadePlaces places = MadePlaces.ON_A_DESK;
     private Tiles tiles;
     private int steps;
 
@@ -76,28 +85,27 @@ final class MadeLevelScene implements TiledScene {
     /** The tiles: the way back, then those for the level, the first of which plays it. */
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
-        laid.add(wayBack(director));
+        laid.add(wayBack(director, places));
+        int count = occasion.next().isPresent() ? 2 : 1;
         if (making.made().isPresent()) {
-            double x = occasion.next().isPresent() ? PICTURE_LEFT : (WIDTH - BUTTON_WIDTH) / 2;
-            laid.add(tile(x, PLAY_TOP, BUTTON_WIDTH, words.of("menu.play"), this::play));
+            laid.add(tile(places.button(0, count), words.of("menu.play"), this::play));
         }
-        double right = PICTURE_LEFT + PICTURE_SIZE - BUTTON_WIDTH;
-        String another = words.of("made.other");
+        Plate right = places.button(1, 2);
         occasion.next()
-                .map(next -> tile(right, PLAY_TOP, BUTTON_WIDTH, another, () -> other(next)))
+                .map(next -> tile(right, words.of("made.other"), () -> other(next)))
                 .ifPresent(laid::add);
-        tiles = new Tiles(laid, chosen);
+        tiles = new Tiles(laid, Math.min(chosen, laid.size() - 1));
     }
 
     /** The tile that leads back to the list of levels. */
-    static Tile wayBack(Director director) {
+    static Tile wayBack(Director director, MadePlaces places) {
         String name = "‹  " + director.words().of("menu.levels");
-        return tile(EDGE, 22, 130, name, director::showLevels);
+        return tile(places.back(), name, director::showLevels);
     }
 
-    private static Tile tile(double x, double y, double width, String name, Runnable action) {
+    private static Tile tile(Plate place, String name, Runnable action) {
         Tile.Look look = (canvas, tile, isChosen) -> Print.button(canvas, tile, name, isChosen);
-        return new Tile(x, y, width, BUTTON_HEIGHT, look, action);
+        return Tile.at(place, look, action);
     }
 
     private void play() {
@@ -139,38 +147,69 @@ final class MadeLevelScene implements TiledScene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    @Override
     public void draw(Canvas canvas) {
-        Print.centred(canvas, occasion.title(words), WIDTH / 2.0, 44, 28, Color.BRASS);
+        fit(canvas.layout());
+        drawTitle(canvas, occasion.title(words), places);
+        Plate frame = places.picture();
         // A panel would lie over the bodies of the picture.
-        canvas.frame(PICTURE_LEFT, PICTURE_TOP, PICTURE_SIZE, PICTURE_SIZE, 16, Color.EDGE);
+        canvas.frame(frame.x(), frame.y(), frame.width(), frame.height(), 16, Color.EDGE);
         picture.ifPresentOrElse(level -> drawPicture(canvas, level), () -> drawNote(canvas));
         tiles.draw(canvas);
         drawResults(canvas);
     }
 
-    private static void drawPicture(Canvas canvas, LevelPicture level) {
-        double inner = PICTURE_SIZE - 2 * PICTURE_MARGIN;
+    private void fit(Layout layout) {
+        MadePlaces fitting = MadePlaces.of(layout);
+        if (!fitting.equals(places)) {
+            places = fitting;
+            layOut(tiles.chosen());
+        }
+    }
+
+    /** Draws the heading of a scene that shows a level, or waits for one. */
+    static void drawTitle(Canvas canvas, String title, MadePlaces places) {
+        double size = canvas.layout().isInHand() ? TITLE_IN_HAND : TITLE;
+        Print.centred(canvas, title, places.title().x(), places.title().y(), size, Color.BRASS);
+    }
+
+    private void drawPicture(Canvas canvas, LevelPicture level) {
+        Plate frame = places.picture();
         level.draw(
-                canvas, PICTURE_LEFT + PICTURE_MARGIN, PICTURE_TOP + PICTURE_MARGIN, inner, inner);
+                canvas,
+                frame.x() + PICTURE_MARGIN,
+                frame.y() + PICTURE_MARGIN,
+                frame.width() - 2 * PICTURE_MARGIN,
+                frame.height() - 2 * PICTURE_MARGIN);
     }
 
     private void drawNote(Canvas canvas) {
-        double y = PICTURE_TOP + PICTURE_SIZE / 2;
-        MakingNote.draw(canvas, words, making, y, steps, director.settings().motion());
+        Plate frame = places.picture();
+        double x = frame.x() + frame.width() / 2;
+        double y = frame.y() + frame.height() / 2;
+        MakingNote.draw(canvas, words, making, x, y, steps, director.settings().motion());
     }
 
     private void drawResults(Canvas canvas) {
-        int rows = Math.min(MOST_ROWS, results.size());
-        double height = 2 * RESULTS_HEAD + rows * ROW;
-        canvas.panel(EDGE, RESULTS_TOP, WIDTH - 2 * EDGE, height, 16, Color.PANEL);
-        double y = RESULTS_TOP + RESULTS_HEAD;
-        Print.centred(canvas, occasion.resultsTitle(director), WIDTH / 2.0, y, 20, Color.TEXT);
+        Plate plate = places.results();
+        int rows = Math.min(Math.min(MOST_ROWS, places.rows()), results.size());
+        double height = 2 * places.head() + rows * places.row();
+        canvas.panel(plate.x(), plate.y(), plate.width(), height, 16, Color.PANEL);
+        double y = plate.y() + places.head();
+        double middle = plate.x() + plate.width() / 2;
+        boolean isInHand = canvas.layout().isInHand();
+        double size = isInHand ? RESULT_IN_HAND : HEADING;
+        Print.centred(canvas, occasion.resultsTitle(director), middle, y, size, Color.TEXT);
         for (List<String> row : results.subList(0, rows)) {
-            y += ROW;
-            double x = PICTURE_LEFT - 60;
-            double pitch = (PICTURE_SIZE + 120) / (row.size() - 1);
+            y += places.row();
+            double x = plate.x() + INDENT * plate.width();
+            double pitch = (1 - 2 * INDENT) * plate.width() / (row.size() - 1);
             for (String column : row) {
-                Print.centred(canvas, column, x, y, 18, Color.TEXT);
+                Print.centred(canvas, column, x, y, isInHand ? RESULT_IN_HAND : RESULT, Color.TEXT);
                 x += pitch;
             }
         }

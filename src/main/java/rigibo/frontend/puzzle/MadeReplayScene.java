@@ -6,11 +6,9 @@ import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.replay.LoadedReplay;
 import rigibo.frontend.puzzle.replay.UnmadeReplay;
 import rigibo.frontend.scene.Canvas;
-import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
-import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.TiledScene;
 import rigibo.frontend.scene.widget.Tiles;
 
@@ -23,7 +21,8 @@ final class MadeReplayScene implements TiledScene {
     private final Words words;
     private final UnmadeReplay replay;
     private final Making making;
-    private final Tiles tiles;
+    private MadePlaces places = MadePlaces.ON_A_DESK;
+    private Tiles tiles;
     private int steps;
     private boolean isHandedOver;
 
@@ -37,7 +36,11 @@ final class MadeReplayScene implements TiledScene {
         this.replay = replay;
         this.making = making;
         words = director.words();
-        tiles = new Tiles(List.of(MadeLevelScene.wayBack(director)), Tiles.NONE);
+        layOut();
+    }
+
+    private void layOut() {
+        tiles = new Tiles(List.of(MadeLevelScene.wayBack(director, places)), Tiles.NONE);
     }
 
     @Override
@@ -64,9 +67,26 @@ final class MadeReplayScene implements TiledScene {
 
     @Override
     public void draw(Canvas canvas) {
-        Print.centred(canvas, words.of("made.replay"), WIDTH / 2.0, 44, 28, Color.BRASS);
+        MadePlaces fitting = MadePlaces.of(canvas.layout());
+        if (!fitting.equals(places)) {
+            places = fitting;
+            layOut();
+        }
+        MadeLevelScene.drawTitle(canvas, words.of("made.replay"), places);
         tiles.draw(canvas);
-        MakingNote.draw(canvas, words, making, HEIGHT / 2.0, steps, director.settings().motion());
+        MakingNote.draw(
+                canvas,
+                words,
+                making,
+                WIDTH / 2.0,
+                HEIGHT / 2.0,
+                steps,
+                director.settings().motion());
+    }
+
+    @Override
+    public boolean isForHands() {
+        return true;
     }
 
     @Override

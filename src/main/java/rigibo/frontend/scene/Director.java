@@ -85,6 +85,14 @@ public interface Director {
     /** Opens what is on the clipboard, if it is the code of a level or replay. */
     default void paste() {}
 
+    /** Whether files are handed over, since nobody finds those that the game keeps by itself. */
+    default boolean handsOver() {
+        return false;
+    }
+
+    /** Hands a text over as a file. */
+    default void handOver(String name, String text) {}
+
     /** Adds a message to the player, a sentence or two. */
     default void tell(String notice) {
         player().tell(notice);

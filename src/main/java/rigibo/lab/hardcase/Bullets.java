@@ -1,6 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Logarithm;
 import rigibo.lab.truth.Solid;
 
 import java.util.Random;
@@ -38,8 +40,8 @@ final class Bullets implements Scenes {
         double e = random.nextDouble();
         double angle = Math.toRadians(90 * (random.nextDouble() - 0.5));
         double way = RADIUS + 0.01 + random.nextDouble() * 4;
-        double vx = speed * Math.cos(angle);
-        double vy = speed * Math.sin(angle);
+        double vx = speed * Angle.cos(angle);
+        double vy = speed * Angle.sin(angle);
         WatchedPool pool = trial.space();
         pool.add(Solid.fixed(thickness, WALL_HEIGHT, 0, e).at(thickness / 2, 0));
         // Aimed at the middle of the wall.
@@ -61,6 +63,6 @@ final class Bullets implements Scenes {
 
     /** Evenly over the logarithm: as many slow ones as fast ones. */
     private static double between(Random random, double least, double most) {
-        return least * Math.pow(most / least, random.nextDouble());
+        return least * Logarithm.pow(most / least, random.nextDouble());
     }
 }

@@ -6,8 +6,11 @@ import rigibo.backend.PrismaticJoint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Length;
+import rigibo.backend.geometry.Logarithm;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
@@ -51,7 +54,7 @@ final class Contraptions {
     private record Place(double x, double y, double radius) {
 
         private boolean isApart(Place other) {
-            return Math.hypot(x - other.x, y - other.y) > radius + other.radius + 0.005;
+            return Length.hypot(x - other.x, y - other.y) > radius + other.radius + 0.005;
         }
     }
 
@@ -88,13 +91,13 @@ final class Contraptions {
     private void grow(double friction, double elasticity) {
         List<RigidBody> bodies = new ArrayList<>();
         List<Place> places = new ArrayList<>();
-        double ratio = Math.pow(10, between(0, 2));
+        double ratio = Logarithm.pow(10, between(0, 2));
         int count = 2 + random.nextInt(9);
         for (int i = 0; i < count; i++) {
             double size = between(0.15, 0.5);
             int parent = bodies.isEmpty() ? -1 : random.nextInt(bodies.size());
             Place place = find(parent < 0 ? null : places.get(parent), 1.6 * size);
-            double density = Math.pow(ratio, between(-0.5, 0.5));
+            double density = Logarithm.pow(ratio, between(-0.5, 0.5));
             BodyDefinition body =
                     BodyDefinition.dynamic(shape(size))
                             .angle(between(0, 2 * Math.PI))
@@ -122,8 +125,8 @@ final class Contraptions {
             } else {
                 double way = between(0, 2 * Math.PI);
                 double far = parent.radius() + radius + between(0.01, 0.4);
-                double x = parent.x() + far * Math.cos(way);
-                place = new Place(x, parent.y() + far * Math.sin(way), radius);
+                double x = parent.x() + far * Angle.cos(way);
+                place = new Place(x, parent.y() + far * Angle.sin(way), radius);
             }
             boolean isWithin = place.y() > radius && Math.abs(place.x()) < 8 - radius;
             if (isWithin && taken.stream().allMatch(place::isApart)) {
@@ -146,8 +149,8 @@ final class Contraptions {
     private JointDefinition joint(RigidBody a, Place atA, RigidBody b, Place atB) {
         double x = (atA.x() + atB.x()) / 2;
         double y = (atA.y() + atB.y()) / 2;
-        double apart = Math.hypot(atB.x() - atA.x(), atB.y() - atA.y());
-        double way = Math.atan2(atB.y() - atA.y(), atB.x() - atA.x());
+        double apart = Length.hypot(atB.x() - atA.x(), atB.y() - atA.y());
+        double way = Angle.atan2(atB.y() - atA.y(), atB.x() - atA.x());
         DistanceJoint rod = DistanceJoint.rod(a, atA.x(), atA.y(), b, atB.x(), atB.y());
         return switch (random.nextInt(9)) {
             case 0 -> RevoluteJoint.at(a, b, x, y);

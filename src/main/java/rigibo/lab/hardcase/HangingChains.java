@@ -4,6 +4,8 @@ import rigibo.backend.Joint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Logarithm;
 import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
@@ -81,9 +83,9 @@ final class HangingChains {
             first = up;
             double before = up - carried;
             carried += weight;
-            double angle = -Math.atan((before + up - carried) / (2 * pull));
-            double dx = length * Math.cos(angle);
-            double dy = length * Math.sin(angle);
+            double angle = -Angle.atan2(before + up - carried, 2 * pull);
+            double dx = length * Angle.cos(angle);
+            double dy = length * Angle.sin(angle);
             RigidBody link =
                     pool.add(
                             Solid.box(length, height, 1, 0)
@@ -106,7 +108,7 @@ final class HangingChains {
         void load(int k, double side, double mass) {
             RigidBody link = links.get(k);
             double up = (height + side) / 2;
-            double along = Math.tan(link.angle()) * up;
+            double along = Angle.sin(link.angle()) / Angle.cos(link.angle()) * up;
             pool.add(
                     Solid.box(side, side, 1, 0)
                             .at(link.worldX(along, up), link.worldY(along, up))
@@ -138,7 +140,7 @@ final class HangingChains {
         for (int i = 0; i < count; i++) {
             SplittableRandom random = trial.sampling().random(i);
             double length = 0.1 + 0.3 * random.nextDouble();
-            double ratio = i == 0 ? 1e4 : Math.pow(10, 4 * random.nextDouble());
+            double ratio = i == 0 ? 1e4 : Logarithm.pow(10, 4 * random.nextDouble());
             double angle = 0.3 + random.nextDouble();
             trial.variant("links of " + length + " m, 1:" + ratio + ", at rest");
             hang(trial, length, ratio, 0);
@@ -153,8 +155,8 @@ final class HangingChains {
         WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
         RigidBody hook = pool.hook(0, 0);
         RigidBody before = hook;
-        double dx = length * Math.sin(angle);
-        double dy = -length * Math.cos(angle);
+        double dx = length * Angle.sin(angle);
+        double dy = -length * Angle.cos(angle);
         for (int k = 0; k < links; k++) {
             RigidBody link =
                     pool.add(

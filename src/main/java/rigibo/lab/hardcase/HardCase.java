@@ -65,6 +65,14 @@ public record HardCase(
         return runOnce(preset, InParts::of);
     }
 
+    /**
+     * Runs a few variants of the case once; returns a hash of the states that they go through,
+     * which is the same wherever they run.
+     */
+    public long states(Preset preset) {
+        return trial(preset, Sampling.USUAL, UnaryOperator.identity(), 1).hash();
+    }
+
     private Result runOnce(Preset preset, UnaryOperator<BodyDefinition> made) {
         Trial trial = trial(preset, Sampling.USUAL, made, 1);
         return new Result(this, preset, trial.measures(), trial.work());

@@ -8,6 +8,8 @@ import rigibo.backend.PulleyJoint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WheelJoint;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Solid;
 
@@ -46,11 +48,11 @@ final class Mechanisms {
 
     /** A bar between two points. */
     private static RigidBody bar(WatchedPool pool, double ax, double ay, double bx, double by) {
-        double length = Math.hypot(bx - ax, by - ay);
+        double length = Length.hypot(bx - ax, by - ay);
         return pool.add(
                 Solid.box(length, 0.05)
                         .at((ax + bx) / 2, (ay + by) / 2)
-                        .angle(Math.atan2(by - ay, bx - ax))
+                        .angle(Angle.atan2(by - ay, bx - ax))
                         .group(1));
     }
 
@@ -79,8 +81,8 @@ final class Mechanisms {
         while (pool.time() < 5) {
             pool.step();
             double phi = speed * pool.time();
-            double across = r * Math.sin(phi);
-            double x = r * Math.cos(phi) + Math.sqrt(l * l - across * across);
+            double across = r * Angle.sin(phi);
+            double x = r * Angle.cos(phi) + Math.sqrt(l * l - across * across);
             place(trial, slider, x, 0, r);
             pool.measureJoints();
         }
@@ -106,7 +108,7 @@ final class Mechanisms {
             pool.step();
             double phi = speed * pool.time();
             double[] at =
-                    meeting(a * Math.cos(phi), a * Math.sin(phi), coupler, frameLength, rocker);
+                    meeting(a * Angle.cos(phi), a * Angle.sin(phi), coupler, frameLength, rocker);
             place(trial, swing, (frameLength + at[0]) / 2, at[1] / 2, a);
             pool.measureJoints();
         }
@@ -116,7 +118,7 @@ final class Mechanisms {
     private static double[] meeting(double x, double y, double l, double d, double r) {
         double dx = d - x;
         double dy = -y;
-        double apart = Math.hypot(dx, dy);
+        double apart = Length.hypot(dx, dy);
         double along = (apart * apart + l * l - r * r) / (2 * apart);
         double up = Math.sqrt(l * l - along * along);
         return new double[] {
@@ -129,8 +131,8 @@ final class Mechanisms {
         WatchedPool pool = pool(trial, true);
         RigidBody frame = pool.hook(0, 0);
         double start = 0.4;
-        double wide = length * Math.cos(start);
-        double high = length * Math.sin(start);
+        double wide = length * Angle.cos(start);
+        double high = length * Angle.sin(start);
         RigidBody rising = null;
         RigidBody falling = null;
         for (int k = 0; k < crosses; k++) {
@@ -151,8 +153,8 @@ final class Mechanisms {
         while (pool.time() < turn / speed && pool.time() < 5) {
             pool.step();
             double phi = start + speed * pool.time();
-            double y = (crosses - 0.5) * length * Math.sin(phi);
-            place(trial, rising, length * Math.cos(phi) / 2, y, length);
+            double y = (crosses - 0.5) * length * Angle.sin(phi);
+            place(trial, rising, length * Angle.cos(phi) / 2, y, length);
             pool.measureJoints();
         }
     }
@@ -212,8 +214,8 @@ final class Mechanisms {
         while (Math.abs(speed * pool.time()) < 1.2) {
             pool.step();
             double phi = speed * pool.time();
-            double x = middle - length * Math.sin(phi);
-            place(trial, coupler, x, length * Math.cos(phi), length);
+            double x = middle - length * Angle.sin(phi);
+            place(trial, coupler, x, length * Angle.cos(phi), length);
             pool.measureJoints();
         }
     }

@@ -1,5 +1,6 @@
 package rigibo.lab.hardcase;
 
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Solid;
 
@@ -31,7 +32,7 @@ record PlateBowl(double radius, int plates, double lap) {
 
     /** Of a plate's face, m. */
     double length() {
-        return 2 * radius * Math.sin(kink() / 2);
+        return 2 * radius * Angle.sin(kink() / 2);
     }
 
     /** Of a plate against the horizontal, rad; from the left −π/2 to π/2. */
@@ -59,9 +60,9 @@ record PlateBowl(double radius, int plates, double lap) {
 
     /** The place so far along a plate from its middle, uphill to the right, and above its face. */
     double[] on(int plate, double along, double above) {
-        double cos = Math.cos(slope(plate));
-        double sin = Math.sin(slope(plate));
-        double apothem = radius * Math.cos(kink() / 2);
+        double cos = Angle.cos(slope(plate));
+        double sin = Angle.sin(slope(plate));
+        double apothem = radius * Angle.cos(kink() / 2);
         return new double[] {
             along * cos + (apothem - above) * sin, along * sin - (apothem - above) * cos
         };

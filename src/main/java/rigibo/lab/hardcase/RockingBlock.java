@@ -1,6 +1,8 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Length;
 import rigibo.lab.truth.Solid;
 
 import java.util.SplittableRandom;
@@ -27,21 +29,23 @@ final class RockingBlock implements Scenes {
         for (SplittableRandom random : trial.sampling().draws(4, 30)) {
             double height = 0.5 + 3 * random.nextDouble();
             double width = height * (0.15 + 0.35 * random.nextDouble());
-            double start = (0.3 + 0.5 * random.nextDouble()) * Math.atan(width / height);
+            double start = (0.3 + 0.5 * random.nextDouble()) * Angle.atan2(width, height);
             trial.variant(width + " m × " + height + " m, from " + start + " rad");
             rock(trial, width, height, start);
         }
     }
 
     private static void rock(Trial trial, double width, double height, double start) {
-        double half = Math.hypot(width, height) / 2;
-        double alpha = Math.atan(width / height);
+        double half = Length.hypot(width, height) / 2;
+        double alpha = Angle.atan2(width, height);
         WatchedPool pool = trial.ground(FRICTION, 0).withOverlapOfItsOwn();
         // Turned counter-clockwise about its lower left corner, which is at the origin.
         RigidBody block =
                 pool.add(
                         Solid.box(width, height, FRICTION, 0)
-                                .at(-half * Math.sin(start - alpha), half * Math.cos(start - alpha))
+                                .at(
+                                        -half * Angle.sin(start - alpha),
+                                        half * Angle.cos(start - alpha))
                                 .angle(start));
         double truth = 1 - 1.5 * Math.pow(Math.sin(alpha), 2);
         double least = energyOfLift(LEAST_LIFT, width, height);

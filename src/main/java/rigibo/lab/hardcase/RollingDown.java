@@ -1,5 +1,6 @@
 package rigibo.lab.hardcase;
 
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Slope;
 import rigibo.lab.truth.Solid;
@@ -18,7 +19,7 @@ final class RollingDown implements Scenes {
         for (double degrees : new double[] {5, 15, 30, 45}) {
             for (double share : new double[] {1.2, 3}) {
                 double b = Math.toRadians(degrees);
-                double friction = share * Math.tan(b) / 3;
+                double friction = share * Angle.sin(b) / Angle.cos(b) / 3;
                 trial.variant(degrees + "°, mu " + share + " of the least");
                 roll(trial, b, friction);
             }

@@ -1,5 +1,6 @@
 package rigibo.lab.hardcase;
 
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Slope;
 import rigibo.lab.truth.Solid;
@@ -17,7 +18,7 @@ final class SlopeSweep implements Scenes {
     @Override
     public void run(Trial trial) {
         for (double friction : new double[] {0.1, 0.3, 0.6, 1}) {
-            double degrees = Math.toDegrees(Math.atan(friction));
+            double degrees = Math.toDegrees(Angle.atan2(friction, 1));
             trial.variant("mu " + friction + ", 0.2° below");
             rest(trial, friction, Math.toRadians(degrees - 0.2));
             trial.variant("mu " + friction + ", 0.2° above");

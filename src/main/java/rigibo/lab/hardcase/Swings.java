@@ -3,6 +3,8 @@ package rigibo.lab.hardcase;
 import rigibo.backend.DistanceJoint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Pendulum;
 import rigibo.lab.truth.Solid;
@@ -51,7 +53,7 @@ final class Swings {
         for (SplittableRandom random : trial.sampling().draws(4, 40)) {
             double width = 0.1 + random.nextDouble();
             double height = 0.1 + random.nextDouble();
-            double d = (0.1 + 2 * random.nextDouble()) * Math.hypot(width, height) / 2;
+            double d = (0.1 + 2 * random.nextDouble()) * Length.hypot(width, height) / 2;
             double amplitude = Math.toRadians(5 + 170 * random.nextDouble());
             trial.variant(width + " × " + height + " m, d " + d + ", " + amplitude + " rad");
             BodyDefinition box = Solid.box(width, height);
@@ -72,8 +74,8 @@ final class Swings {
         void watch(Trial trial, int swings) {
             WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
             RigidBody hook = pool.hook(0, 0);
-            double x = d * Math.sin(amplitude);
-            double y = -d * Math.cos(amplitude);
+            double x = d * Angle.sin(amplitude);
+            double y = -d * Angle.cos(amplitude);
             RigidBody bob = pool.add(body.at(x, y).angle(amplitude + Math.PI / 2 - towards));
             pool.join(
                     isRod
@@ -219,11 +221,11 @@ final class Swings {
     private static RigidBody hang(WatchedPool pool, double upper, double lower, double angle) {
         RigidBody hook = pool.hook(0, 0);
         double knee = angle * 2 / 3;
-        double x = upper * Math.sin(angle);
-        double y = -upper * Math.cos(angle);
+        double x = upper * Angle.sin(angle);
+        double y = -upper * Angle.cos(angle);
         RigidBody first = pool.add(Solid.box(0.1, upper).at(x / 2, y / 2).angle(angle).group(1));
-        double endX = x + lower / 2 * Math.sin(knee);
-        double endY = y - lower / 2 * Math.cos(knee);
+        double endX = x + lower / 2 * Angle.sin(knee);
+        double endY = y - lower / 2 * Angle.cos(knee);
         RigidBody second = pool.add(Solid.box(0.08, lower).at(endX, endY).angle(knee).group(1));
         pool.join(RevoluteJoint.at(hook, first, 0, 0));
         pool.join(RevoluteJoint.at(first, second, x, y));

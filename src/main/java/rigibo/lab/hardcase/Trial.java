@@ -181,6 +181,11 @@ public final class Trial {
         hash = hash * HASH_FACTOR + stateHash;
     }
 
+    /** Of all states so far, and of their order. */
+    long hash() {
+        return hash;
+    }
+
     void compare(Trial again) {
         String difference = Long.toHexString(hash) + " and " + Long.toHexString(again.hash);
         boolean isEqual = hash == again.hash;

@@ -1,6 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Solid;
 
@@ -26,7 +27,7 @@ final class Wedge implements Scenes {
         WatchedPool pool = trial.earth();
         RigidBody right = pool.add(face(a, 1));
         RigidBody left = pool.add(face(a, -1));
-        RigidBody disc = pool.add(Solid.disc(RADIUS, 0, 0).at(0, RADIUS / Math.sin(a)));
+        RigidBody disc = pool.add(Solid.disc(RADIUS, 0, 0).at(0, RADIUS / Angle.sin(a)));
         pool.run(2);
         double onRight = 0;
         double onLeft = 0;
@@ -45,12 +46,12 @@ final class Wedge implements Scenes {
 
     /** A plank whose inner face starts at the origin and leans to one side. */
     private static BodyDefinition face(double a, int side) {
-        double alongX = side * Math.sin(a);
-        double alongY = Math.cos(a);
-        double outX = side * Math.cos(a);
-        double outY = -Math.sin(a);
+        double alongX = side * Angle.sin(a);
+        double alongY = Angle.cos(a);
+        double outX = side * Angle.cos(a);
+        double outY = -Angle.sin(a);
         return Solid.fixed(LENGTH, 2, 0, 0)
                 .at(alongX * LENGTH / 2 + outX, alongY * LENGTH / 2 + outY)
-                .angle(Math.atan2(alongY, alongX));
+                .angle(Angle.atan2(alongY, alongX));
     }
 }

@@ -1,5 +1,6 @@
 package rigibo.lab.truth;
 
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
@@ -15,14 +16,14 @@ public record Slope(double angle) {
 
     /** The plank, made of this. */
     public BodyDefinition plank(Material material) {
-        double x = -THICKNESS / 2 * Math.sin(angle);
-        double y = -THICKNESS / 2 * Math.cos(angle);
+        double x = -THICKNESS / 2 * Angle.sin(angle);
+        double y = -THICKNESS / 2 * Angle.cos(angle);
         return Solid.fixed(LENGTH, THICKNESS).at(x, y).angle(-angle).material(material);
     }
 
     /** A body lying at the origin, its centre so far from the face. */
     public BodyDefinition place(BodyDefinition body, double above) {
-        return body.at(above * Math.sin(angle), above * Math.cos(angle)).angle(-angle);
+        return body.at(above * Angle.sin(angle), above * Angle.cos(angle)).angle(-angle);
     }
 
     /** The component of a vector down the slope. */

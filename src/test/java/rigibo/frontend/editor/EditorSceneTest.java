@@ -24,6 +24,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 class EditorSceneTest {
@@ -402,11 +403,26 @@ class EditorSceneTest {
         Author author = drop();
         author.drag(7, 2.5, 7, 4.5);
         author.press("Check");
-        while (author.look().texts().contains("Playing it through; go on meanwhile")) {
+        assertThat(author.look().texts()).anyMatch(EditorSceneTest::tellsProof);
+        while (author.look().texts().stream().anyMatch(EditorSceneTest::tellsProof)) {
             Thread.sleep(20);
         }
         assertThat(author.look().texts()).contains("Not at rest");
         author.scene.closed();
+    }
+
+    @Test
+    void aLevelIsHandedOverWhereNobodyFindsItsFile() {
+        Author author = drop();
+        assertThat(author.look().texts()).doesNotContain("File");
+        author.director.handsOver = true;
+        author.press("File");
+        assertThat(author.director.handed)
+                .containsExactly(Map.entry("new-level.json", author.draft().toString()));
+    }
+
+    private static boolean tellsProof(String text) {
+        return text.startsWith("Playing it through; go on meanwhile. Games so far: ");
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.setup.Accuracy;
@@ -28,11 +29,13 @@ import rigibo.frontend.puzzle.rules.Replay;
 import rigibo.frontend.scene.DayResult;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.widget.Plate;
 
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -131,6 +134,20 @@ class MadeLevelsTest {
     }
 
     @Test
+    void buttonsAreAsLargeAsAFingerInAHand() {
+        for (Layout layout : Legibility.HANDS) {
+            MadePlaces places = MadePlaces.of(layout);
+            for (Plate button : List.of(places.back(), places.button(0, 2), places.button(1, 2))) {
+                assertThat(button.height() * layout.ratio()).isGreaterThanOrEqualTo(43.9);
+                assertThat(button.width() * layout.ratio()).isGreaterThanOrEqualTo(43.9);
+                assertThat(button.right()).isLessThanOrEqualTo(layout.seenRight());
+            }
+            assertThat(places.results().y()).isGreaterThanOrEqualTo(places.play().bottom());
+            assertThat(places.rows()).isNotNegative();
+        }
+    }
+
+    @Test
     void anotherEndlessLevelCanBeChosenUnsolved() {
         MadeLevelScene scene = new MadeLevelScene(director, FIRST, done);
         click(scene, "Another one");
@@ -157,6 +174,22 @@ class MadeLevelsTest {
         making.await();
         assertThat(making.made()).isEmpty();
         assertThat(making.isHopeless()).isFalse();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, 'Draft 1, tried out '", "de, 'Entwurf 1, '"})
+    void whoWaitsReadsHowFarItIs(String language, String words) throws InterruptedException {
+        RecordingDirector told = new RecordingDirector(language);
+        Making making = Making.begin(FIRST.seeds());
+        while (making.effort().isEmpty()) {
+            Thread.sleep(1);
+        }
+        making.stop();
+        making.await();
+        MadeLevelScene scene = new MadeLevelScene(told, FIRST, making);
+        assertThat(RecordingCanvas.of(scene).texts()).anyMatch(text -> text.startsWith(words));
+        assertThat(Legibility.faults(scene)).isEmpty();
+        assertThat(Legibility.faultsInHand(scene)).isEmpty();
     }
 
     @Test
@@ -236,6 +269,7 @@ class MadeLevelsTest {
         Making hopeless = Making.begin(NO_SEEDS);
         hopeless.await();
         MadeReplayScene scene = waiting(replay(), hopeless);
+        assertThat(Legibility.faultsInHand(scene)).isEmpty();
         assertThat(Legibility.faults(scene)).isEmpty();
         scene.step();
         scene.keyPressed(Key.ENTER);
@@ -253,9 +287,11 @@ class MadeLevelsTest {
         MadeLevelScene ready = new MadeLevelScene(told, new Day(DATE), done);
         ready.step();
         assertThat(Legibility.faults(ready)).isEmpty();
+        assertThat(Legibility.faultsInHand(ready)).isEmpty();
         MadeLevelScene endless = new MadeLevelScene(told, FIRST, done);
         endless.step();
         assertThat(Legibility.faults(endless)).isEmpty();
+        assertThat(Legibility.faultsInHand(endless)).isEmpty();
         MadeLevelScene waiting = new MadeLevelScene(told, FIRST);
         assertThat(Legibility.faults(waiting)).isEmpty();
         waiting.closed();

@@ -2,7 +2,9 @@ package rigibo.frontend.scene;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Keeps what was asked of it. */
@@ -34,6 +36,11 @@ public final class RecordingDirector implements Director {
 
     /** Where levels that the player makes are kept. */
     public Optional<Path> levels = Optional.empty();
+
+    /** Whether files are handed over, and those that were, by their names. */
+    public boolean handsOver;
+
+    public final Map<String, String> handed = new HashMap<>();
 
     private final Player player;
 
@@ -85,6 +92,16 @@ public final class RecordingDirector implements Director {
     @Override
     public void copy(String text) {
         copied.add(text);
+    }
+
+    @Override
+    public boolean handsOver() {
+        return handsOver;
+    }
+
+    @Override
+    public void handOver(String name, String text) {
+        handed.put(name, text);
     }
 
     @Override

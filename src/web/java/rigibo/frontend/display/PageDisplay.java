@@ -13,7 +13,11 @@ import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.sound.Speaker;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
@@ -24,6 +28,9 @@ import java.util.function.Function;
  * page is hidden.
  */
 public final class PageDisplay implements Director {
+
+    /** Where files are that were dropped on the page. */
+    private static final Path DROPPED = Path.of("/dropped");
 
     private final Function<Director, Scene> menu;
     private final Function<Director, Scene> levels;
@@ -36,6 +43,7 @@ public final class PageDisplay implements Director {
     private final PageInput input = new PageInput(surface, this);
     private BiFunction<Director, String, Optional<Scene>> decoder =
             (director, text) -> Optional.empty();
+    private BiFunction<Director, List<Path>, Scene> opener;
     private Words words;
     private Scene scene;
     private Scene wanted;
@@ -57,6 +65,11 @@ public final class PageDisplay implements Director {
     /** Sets the function that makes a scene of a code that is pasted; none of what is no code. */
     public void opensCodesBy(BiFunction<Director, String, Optional<Scene>> decoding) {
         decoder = decoding;
+    }
+
+    /** Sets the function that makes a scene of files that are dropped on the page. */
+    public void opensFilesBy(BiFunction<Director, List<Path>, Scene> opening) {
+        opener = opening;
     }
 
     /** Opens a scene, the menu if none is given, and goes on as long as the page is there. */
@@ -194,6 +207,17 @@ public final class PageDisplay implements Director {
         toast.say(words.of("toast.copied", text.length()));
     }
 
+    /** Files of the page are in the browser's storage. */
+    @Override
+    public boolean handsOver() {
+        return true;
+    }
+
+    @Override
+    public void handOver(String name, String text) {
+        download(name, text);
+    }
+
     @Override
     public void paste() {
         readClipboard(this::pasted);
@@ -205,6 +229,26 @@ public final class PageDisplay implements Director {
                     .ifPresentOrElse(this::show, () -> toast.say(words.of("toast.no-code")));
         }
     }
+
+    /** Opens a file that was dropped on the page. */
+    void dropped(String name, String text) {
+        try {
+            Path file = DROPPED.resolve(name);
+            Files.createDirectories(DROPPED);
+            Files.writeString(file, text);
+            show(opener.apply(this, List.of(file)));
+        } catch (IOException full) {
+            throw new UncheckedIOException(full);
+        }
+    }
+
+    @JSBody(
+            params = {"name", "text"},
+            script =
+                    "var link = document.createElement('a'); link.download = name; link.href ="
+                            + " URL.createObjectURL(new Blob([text])); link.click();"
+                            + " setTimeout(function() { URL.revokeObjectURL(link.href); }, 1000);")
+    private static native void download(String name, String text);
 
     @JSBody(params = "title", script = "document.title = title;")
     private static native void title(String title);

@@ -3,6 +3,8 @@ package rigibo.frontend.display;
 import static org.lwjgl.glfw.GLFW.*;
 
 import org.teavm.jso.JSBody;
+import org.teavm.jso.JSFunctor;
+import org.teavm.jso.JSObject;
 import org.teavm.jso.browser.Window;
 import org.teavm.jso.dom.events.Event;
 import org.teavm.jso.dom.events.EventListener;
@@ -40,10 +42,27 @@ final class PageInput {
         listen("pointercancel", this::taken);
         listen("wheel", this::scrolled);
         listen("contextmenu", Event::preventDefault);
+        takeDropped(display::dropped);
         Window.current().addEventListener("keydown", this::keyDown);
         Window.current().addEventListener("keyup", this::keyUp);
         Window.current().addEventListener("paste", event -> display.pasted(pasted(event)));
     }
+
+    /** Takes a file from the browser. */
+    @JSFunctor
+    interface Taker extends JSObject {
+        void take(String name, String text);
+    }
+
+    /** Of several files the first is taken. */
+    @JSBody(
+            params = "taker",
+            script =
+                    "addEventListener('dragover', function(event) { event.preventDefault(); });"
+                        + " addEventListener('drop', function(event) { event.preventDefault(); var"
+                        + " file = event.dataTransfer.files[0]; if (file) {"
+                        + " file.text().then(function(text) { taker(file.name, text); }); } });")
+    private static native void takeDropped(Taker taker);
 
     private void listen(String kind, EventListener<Event> listener) {
         surface.canvas()

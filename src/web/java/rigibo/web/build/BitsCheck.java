@@ -1,63 +1,73 @@
 package rigibo.web.build;
 
-import rigibo.web.Bits;
-
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Collectors;
 
-/** Compares what programs come to in a browser with what they come to on the JVM. */
+/** Compares what a program prints in a browser with what it prints on the JVM. */
 final class BitsCheck {
 
+    private final String what;
+    private final String page;
+    private final String mark;
     private final List<String> here;
 
-    private BitsCheck(List<String> here) {
+    private BitsCheck(String what, String page, String mark, List<String> here) {
+        this.what = what;
+        this.page = page;
+        this.mark = mark;
         this.here = here;
     }
 
-    /** Runs the programs on the JVM, and recorded runs of a folder. */
-    static BitsCheck of(Path runs) throws IOException {
-        return new BitsCheck(lines(onJvm(runs)));
+    /** A program that prints. */
+    interface Printing {
+        void print() throws IOException;
     }
 
-    /** Says how many are alike in a browser, and the first that is not; returns whether all are. */
+    /**
+     * Runs a program on the JVM.
+     *
+     * @param what its lines tell of
+     * @param page that runs it in a browser
+     * @param mark what its lines begin with
+     */
+    static BitsCheck of(String what, String page, String mark, Printing program)
+            throws IOException {
+        return new BitsCheck(what, page, mark, onJvm(program, mark));
+    }
+
+    /** Says how many are alike in a browser, and which are not; returns whether all are. */
     boolean compare(PageReader browser, Path folder) throws IOException, InterruptedException {
         List<String> there;
         try (LocalServer server = new LocalServer(folder, 0)) {
-            there = lines(browser.read(server, "bits.html"));
+            there = lines(browser.read(server, page), mark);
         }
-        long alike = here.stream().filter(there::contains).count();
+        List<String> other = here.stream().filter(line -> !there.contains(line)).toList();
         System.out.printf(
-                "%d of %d programs and runs have the bits of the JVM in %s%n",
-                alike, here.size(), browser);
-        here.stream()
-                .filter(line -> !there.contains(line))
-                .findFirst()
-                .ifPresent(
-                        line -> System.out.println("the first that has not, on the JVM: " + line));
-        return alike == here.size();
+                "%d of %d %s have the bits of the JVM in %s%n",
+                here.size() - other.size(), here.size(), what, browser);
+        other.forEach(line -> System.out.println("has not, on the JVM: " + line));
+        return other.isEmpty();
     }
 
-    private static String onJvm(Path runs) throws IOException {
+    /** The lines that a program prints on the JVM. */
+    static List<String> onJvm(Printing program, String mark) throws IOException {
         PrintStream console = System.out;
         ByteArrayOutputStream written = new ByteArrayOutputStream();
         System.setOut(new PrintStream(written, true, StandardCharsets.UTF_8));
         try {
-            Bits.print(runs);
+            program.print();
         } finally {
             System.setOut(console);
         }
-        return written.toString(StandardCharsets.UTF_8);
+        return lines(written.toString(StandardCharsets.UTF_8), mark);
     }
 
-    private static List<String> lines(String text) {
-        return text.replaceAll("<[^>]*>", "")
-                .lines()
-                .filter(line -> line.startsWith(Bits.MARK))
-                .collect(Collectors.toList());
+    /** The lines of a text that begin with a mark. */
+    static List<String> lines(String text, String mark) {
+        return text.lines().filter(line -> line.startsWith(mark)).toList();
     }
 }

@@ -1,12 +1,13 @@
 package rigibo.web.build;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /**
  * Chromium, or a browser of its kind, on this machine, started without a window and with a profile
@@ -17,7 +18,8 @@ final class Browser implements PageReader {
     private static final List<String> NAMES =
             List.of("chromium", "chromium-browser", "google-chrome");
 
-    private static final int MOST_MINUTES = 10;
+    /** The longest programs take a quarter of an hour on a machine at rest. */
+    private static final int MOST_MINUTES = 60;
 
     /** How long a browser may take to start. */
     private static final int MOST_TRIES = 600;
@@ -36,34 +38,23 @@ final class Browser implements PageReader {
     }
 
     @Override
-    public String read(LocalServer server, String name) throws IOException, InterruptedException {
-        Path folder = Files.createTempDirectory("rigibo-browser");
-        Path page = folder.resolve("page.html");
-        Process process =
-                new ProcessBuilder(
-                                program.toString(),
-                                "--headless",
-                                "--no-sandbox",
-                                "--disable-gpu",
-                                "--disable-background-networking",
-                                "--disable-component-update",
-                                "--disable-sync",
-                                "--user-data-dir=" + folder.resolve("profile"),
-                                "--virtual-time-budget=60000",
-                                "--dump-dom",
-                                server.address(name))
-                        .redirectOutput(page.toFile())
-                        .redirectError(folder.resolve("complaints").toFile())
-                        .start();
-        if (!process.waitFor(MOST_MINUTES, TimeUnit.MINUTES)) {
-            process.destroyForcibly();
-            throw new IOException(program + " did not end within " + MOST_MINUTES + " minutes");
+    public String read(LocalServer server, String page) throws IOException, InterruptedException {
+        Window window = open(server.address(page));
+        try {
+            return server.said().get(MOST_MINUTES, TimeUnit.MINUTES);
+        } catch (ExecutionException | TimeoutException silent) {
+            throw new IOException(program + " said nothing within " + MOST_MINUTES + " minutes");
+        } finally {
+            window.close();
         }
-        return Files.readString(page, StandardCharsets.UTF_8);
     }
 
     /** Opens an empty page that a program drives, without a window. */
     Window open() throws IOException, InterruptedException {
+        return open("about:blank");
+    }
+
+    private Window open(String address) throws IOException, InterruptedException {
         Path profile = Files.createTempDirectory("rigibo-browser");
         Process process =
                 new ProcessBuilder(
@@ -79,7 +70,7 @@ final class Browser implements PageReader {
                                 "--disable-sync",
                                 "--remote-debugging-port=0",
                                 "--user-data-dir=" + profile,
-                                "about:blank")
+                                address)
                         .redirectErrorStream(true)
                         .redirectOutput(profile.resolve("complaints").toFile())
                         .start();

@@ -10,8 +10,13 @@ public final class LibrarySubstitutes extends SimpleSubstitutionPolicy {
 
     @Override
     public void contribute(SubstitutionSink sink) {
-        sink.selectClasses(named("java.util.HexFormat").or(named("java.util.SplittableRandom")))
+        sink.selectClasses(
+                        named("java.util.HexFormat")
+                                .or(named("java.util.Random"))
+                                .or(named("java.util.SplittableRandom")))
                 .replacePackage("java.util", OURS);
+        sink.selectClasses(named("java.text.Normalizer").or(named("java.text.Normalizer$Form")))
+                .replacePackage("java.text", OURS);
         sink.selectClasses(named("java.util.concurrent.CompletableFuture"))
                 .replacePackage("java.util.concurrent", OURS);
         sink.selectClasses(named("java.util.concurrent.atomic.LongAdder"))

@@ -28,7 +28,12 @@ public final class MissingMethods implements ClassHolderTransformer {
             Set.of(
                     "java.lang.String.format",
                     "java.util.Locale.forLanguageTag",
+                    "java.lang.Character.toString",
+                    "java.lang.Math.toDegrees",
+                    "java.lang.Math.toRadians",
+                    "java.text.Normalizer.normalize",
                     "java.util.Collections.emptySortedMap",
+                    "java.util.Collections.shuffle",
                     "java.util.Collections.unmodifiableSortedMap",
                     "java.lang.Long.parseUnsignedLong",
                     "java.nio.file.Files.readString",

@@ -30,25 +30,45 @@ final class PageBuild {
     /** Makes the page of the game. */
     void build() throws IOException, TeaVMToolException {
         Files.createDirectories(folder);
-        copy("/org/teavm/backend/wasm/wasm-gc-runtime.min.js", "wasm-gc-runtime.js");
+        StrictRuntime.write(folder.resolve("runtime.js"));
         new GameFiles(HOME).write(folder);
         copy("/web/index.html", "index.html");
         copy("/web/game.js", "game.js");
+        copy("/web/aside.js", "aside.js");
         copy("/web/game.css", "game.css");
         copy("/web/manifest.webmanifest", "manifest.webmanifest");
         copy("/web/icon.svg", "icon.svg");
-        compile("rigibo.web.game.GamePage", "game.wasm");
+        compile("rigibo.web.game.GamePage", "game");
         Offline.write(folder);
     }
 
     /** Makes the page that shows whether recorded runs, and programs, have the JVM's bits. */
     void buildBits(Path runs) throws IOException, TeaVMToolException {
-        Files.createDirectories(folder);
+        buildLines();
         GameFiles.writeRuns(HOME, runs, folder.resolve("bits.txt"));
-        copy("/web/bits.html", "bits.html");
-        copy("/web/bits.js", "bits.js");
-        copy("/org/teavm/backend/wasm/wasm-gc-runtime.min.js", "wasm-gc-runtime.js");
-        compile("rigibo.web.Bits", "bits.wasm");
+        compile("rigibo.web.Bits", "bits");
+    }
+
+    /** Makes the page that shows whether the hard cases have them. */
+    void buildCases() throws IOException, TeaVMToolException {
+        buildLines();
+        compile("rigibo.web.CaseBits", "cases");
+    }
+
+    /** Makes the page that times scenes, as WebAssembly and as JavaScript. */
+    void buildTimes() throws IOException, TeaVMToolException {
+        buildLines();
+        compile("rigibo.web.Times", "times");
+        TeaVMTool script = tool("rigibo.web.Times", "times-script.js");
+        script.setTargetType(TeaVMTargetType.JAVASCRIPT);
+        generate(script);
+    }
+
+    private void buildLines() throws IOException {
+        Files.createDirectories(folder);
+        StrictRuntime.write(folder.resolve("runtime.js"));
+        copy("/web/lines.html", "lines.html");
+        copy("/web/lines.js", "lines.js");
     }
 
     private void copy(String resource, String file) throws IOException {
@@ -57,9 +77,17 @@ final class PageBuild {
         }
     }
 
-    private void compile(String start, String file) throws TeaVMToolException {
-        TeaVMTool tool = new TeaVMTool();
+    /** Compiles a program, and writes the functions by which it calls the page beside it. */
+    private void compile(String start, String name) throws TeaVMToolException {
+        TeaVMTool tool = tool(start, name + ".wasm");
         tool.setTargetType(TeaVMTargetType.WEBASSEMBLY_GC);
+        tool.getProperties()
+                .setProperty(FunctionTable.FILE, folder.resolve(name + "-functions.js").toString());
+        generate(tool);
+    }
+
+    private TeaVMTool tool(String start, String file) {
+        TeaVMTool tool = new TeaVMTool();
         tool.setMainClass(start);
         tool.setTargetDirectory(folder.toFile());
         tool.setTargetFileName(file);
@@ -70,10 +98,14 @@ final class PageBuild {
         tool.getTransformers().add(MissingMethods.class.getName());
         tool.setClassLoader(PageClasses.find());
         tool.setClassPath(PageClasses.places());
+        return tool;
+    }
+
+    private static void generate(TeaVMTool tool) throws TeaVMToolException {
         tool.generate();
         String problems = Problems.of(tool.getProblemProvider());
         if (!problems.isEmpty()) {
-            throw new TeaVMToolException(start + " cannot run in a browser:\n" + problems);
+            throw new TeaVMToolException("it cannot run in a browser:\n" + problems);
         }
     }
 }

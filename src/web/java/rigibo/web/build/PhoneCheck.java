@@ -85,11 +85,12 @@ final class PhoneCheck {
                 solved++;
             }
         }
+        boolean isMade = AsideCheck.isMade(page);
         List<String> outside = page.requests().stream().filter(asked -> !isInside(asked)).toList();
         page.complaints().forEach(System.out::println);
         outside.forEach(asked -> System.out.println("asked for " + asked));
         System.out.printf("%d of %d levels were solved by touch%n", solved, files.size());
-        return solved == files.size() && outside.isEmpty() && page.complaints().isEmpty();
+        return isMade && solved == files.size() && outside.isEmpty() && page.complaints().isEmpty();
     }
 
     private boolean isInside(String asked) {

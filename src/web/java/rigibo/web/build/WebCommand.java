@@ -2,6 +2,9 @@ package rigibo.web.build;
 
 import org.teavm.tooling.TeaVMToolException;
 
+import rigibo.web.Bits;
+import rigibo.web.CaseBits;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -10,8 +13,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * {@code ./rigibo web}: builds the page; serves it, compares its bits with the JVM's, or plays it
- * by touch.
+ * {@code ./rigibo web}: builds the page; serves it, compares its bits or its times with the JVM's,
+ * or plays it by touch.
  */
 final class WebCommand {
 
@@ -25,7 +28,8 @@ final class WebCommand {
     public static void main(String[] arguments) throws Exception {
         Path folder = Path.of(arguments[0]);
         List<String> typed = Arrays.asList(arguments).subList(1, arguments.length);
-        List<String> known = List.of("--serve", "--bits", "--touch", "--touch-one");
+        List<String> known =
+                List.of("--serve", "--bits", "--cases", "--times", "--touch", "--touch-one");
         if (typed.size() > 1 || !known.containsAll(typed)) {
             System.err.println(
                     "web takes one of "
@@ -35,7 +39,14 @@ final class WebCommand {
             System.exit(2);
         }
         if (typed.contains("--bits")) {
-            System.exit(compare(folder) ? 0 : 1);
+            System.exit(compare(checks(folder)) ? 0 : 1);
+        }
+        if (typed.contains("--cases")) {
+            System.exit(compareCases(checks(folder)) ? 0 : 1);
+        }
+        if (typed.contains("--times")) {
+            time(checks(folder));
+            return;
         }
         if (typed.contains("--touch") || typed.contains("--touch-one")) {
             System.exit(play(folder, typed.contains("--touch") ? WORLD : 1) ? 0 : 1);
@@ -45,6 +56,11 @@ final class WebCommand {
         if (typed.contains("--serve")) {
             System.out.println("Here it is at " + new LocalServer(folder, PORT).address(""));
         }
+    }
+
+    /** Programs that no player needs go beside the page. */
+    private static Path checks(Path folder) {
+        return folder.resolveSibling(folder.getFileName() + "-checks");
     }
 
     /** Plays levels by touch in a page that is made anew. */
@@ -70,12 +86,40 @@ final class WebCommand {
         }
         Path runs = Recorded.runs();
         new PageBuild(folder).buildBits(runs);
-        BitsCheck check = BitsCheck.of(runs);
+        BitsCheck check =
+                BitsCheck.of(
+                        "programs, proofs and runs",
+                        "lines.html?bits",
+                        Bits.MARK,
+                        () -> Bits.print(runs));
         boolean areAlike = true;
         for (PageReader browser : browsers) {
             areAlike &= check.compare(browser, folder);
         }
         return areAlike;
+    }
+
+    private static boolean compareCases(Path folder)
+            throws IOException, InterruptedException, TeaVMToolException {
+        Optional<Browser> browser = Browser.find();
+        if (browser.isEmpty()) {
+            tellMissing("Chromium");
+            return true;
+        }
+        new PageBuild(folder).buildCases();
+        return BitsCheck.of("hard cases", "lines.html?cases", Bits.MARK, CaseBits::print)
+                .compare(browser.get(), folder);
+    }
+
+    private static void time(Path folder)
+            throws IOException, InterruptedException, TeaVMToolException {
+        Optional<Browser> browser = Browser.find();
+        if (browser.isEmpty()) {
+            tellMissing("Chromium");
+            return;
+        }
+        new PageBuild(folder).buildTimes();
+        TimesTable.print(browser.get(), folder);
     }
 
     private static void tellMissing(String browser) {

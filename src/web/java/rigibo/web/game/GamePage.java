@@ -3,14 +3,10 @@ package rigibo.web.game;
 import org.teavm.jso.JSBody;
 import org.teavm.jso.browser.Window;
 
-import rigibo.frontend.demo.Demos;
+import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.PageDisplay;
-import rigibo.frontend.gallery.Gallery;
-import rigibo.frontend.laboratory.Laboratory;
-import rigibo.frontend.menu.LevelsScene;
-import rigibo.frontend.menu.MenuScene;
-import rigibo.frontend.puzzle.Levels;
-import rigibo.frontend.puzzle.PlayerFiles;
+import rigibo.frontend.editor.Proving;
+import rigibo.frontend.puzzle.endless.Making;
 import rigibo.frontend.save.Places;
 import rigibo.frontend.save.SavedPlayer;
 import rigibo.frontend.scene.Director;
@@ -20,12 +16,12 @@ import rigibo.frontend.scene.SceneEntry;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.stream.Stream;
 
-/** Starts the game in a page. */
+/** Starts the game in a page, or, given words, an errand beside it. */
 public final class GamePage {
 
     /** Where the game finds its files, as it finds them on a disk. */
@@ -36,42 +32,36 @@ public final class GamePage {
     private GamePage() {}
 
     public static void main(String[] arguments) throws IOException {
+        if (arguments.length > 0) {
+            run(Arrays.asList(arguments));
+            return;
+        }
         System.setProperty("rigibo.home", HOME.toString());
         Brought.unpackTo(HOME);
         List<PageDisplay> display = new ArrayList<>();
         Keeping keeping = new Keeping(PLAYER, () -> display.forEach(PageDisplay::notKept));
         SavedPlayer player = new SavedPlayer(Places.in(PLAYER), language());
-        display.add(new PageDisplay(GamePage::menu, GamePage::levels, player));
-        display.get(0).opensCodesBy(PlayerFiles::pasted);
+        display.add(new PageDisplay(Catalog::menu, Catalog::levels, player));
+        display.get(0).opensCodesBy(Catalog::pasted);
+        display.get(0).opensFilesBy(Catalog::dropped);
         display.get(0).run(asked());
         keeping.begin();
     }
 
-    /** What there is in the page; the editor is not in it yet. */
-    private static List<SceneEntry> entries() {
-        List<SceneEntry> entries = new ArrayList<>(Levels.entries());
-        entries.addAll(Demos.entries());
-        entries.add(Gallery.entry());
-        entries.add(Laboratory.entry());
-        return entries;
+    /** Does an errand beside the page. */
+    private static void run(List<String> errand) {
+        List<String> words = errand.subList(1, errand.size());
+        switch (errand.get(0)) {
+            case Making.ERRAND -> Making.make(words);
+            case Proving.ERRAND -> Proving.prove(words.get(0));
+            default -> throw new IllegalArgumentException("there is no errand " + errand.get(0));
+        }
     }
 
     /** The scene that the page's link names, such as {@code #flood}. */
     private static Optional<Function<Director, Scene>> asked() {
         String name = Window.current().getLocation().getHash().replace("#", "");
-        return Stream.concat(entries().stream(), Gallery.exhibits().stream())
-                .filter(entry -> entry.name().equals(name))
-                .findFirst()
-                .map(SceneEntry::open);
-    }
-
-    private static Scene menu(Director director) {
-        return new MenuScene(director, entries());
-    }
-
-    /** Levels that are made by chance take seconds to make, in which a page would stand still. */
-    private static Scene levels(Director director) {
-        return new LevelsScene(director, entries(), List.of());
+        return Catalog.find(name).map(SceneEntry::open);
     }
 
     @JSBody(script = "return navigator.language.substring(0, 2);")

@@ -1,15 +1,19 @@
 package rigibo.web.library;
 
+import org.teavm.jso.JSBody;
+
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileAttribute;
+import java.text.Normalizer;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Random;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
@@ -22,6 +26,11 @@ import java.util.stream.Stream;
  * the object that they are called of comes first.
  */
 public final class Missing {
+
+    /** Of a degree, and the other way round, as Java rounds them. */
+    private static final double RADIANS = 0.017453292519943295;
+
+    private static final double DEGREES = 57.29577951308232;
 
     private Missing() {}
 
@@ -38,6 +47,43 @@ public final class Missing {
     /** Of {@link Locale}. */
     public static Locale forLanguageTag(String language) {
         return new Locale(language);
+    }
+
+    /** Of {@link Character}. */
+    public static String toString(int codePoint) {
+        return new String(Character.toChars(codePoint));
+    }
+
+    /** Of {@link Math}, whose own form divides, which rounds otherwise. */
+    public static double toRadians(double degrees) {
+        return degrees * RADIANS;
+    }
+
+    /** Of {@link Math}. */
+    public static double toDegrees(double radians) {
+        return radians * DEGREES;
+    }
+
+    /** Of {@link Normalizer}. */
+    public static String normalize(CharSequence text, Normalizer.Form form) {
+        return normalized(text.toString(), form.name());
+    }
+
+    @JSBody(
+            params = {"text", "form"},
+            script = "return text.normalize(form);")
+    private static native String normalized(String text, String form);
+
+    /** Of {@link Character}. */
+    public static String toString(char letter) {
+        return String.valueOf(letter);
+    }
+
+    /** Of {@link Collections}, whose own form draws in another order. */
+    public static <T> void shuffle(List<T> values, Random random) {
+        for (int i = values.size(); i > 1; i--) {
+            Collections.swap(values, i - 1, random.nextInt(i));
+        }
     }
 
     /** Of {@link Collections}. */

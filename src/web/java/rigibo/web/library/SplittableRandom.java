@@ -1,5 +1,7 @@
 package rigibo.web.library;
 
+import java.util.stream.DoubleStream;
+
 /**
  * Numbers by chance, by the algorithm of Java's class of this name: Steele, Lea, Flood, Fast
  * Splittable Pseudorandom Number Generators, 2014.
@@ -49,6 +51,15 @@ public final class SplittableRandom {
             rest = positive % bound;
         }
         return rest;
+    }
+
+    public boolean nextBoolean() {
+        return nextInt() < 0;
+    }
+
+    /** So many numbers from 0 to 1, excluded. */
+    public DoubleStream doubles(long count) {
+        return DoubleStream.generate(this::nextDouble).limit(count);
     }
 
     /** A number from 0 to 1, excluded. */

@@ -1,5 +1,6 @@
 package tools.jackson.databind;
 
+import tools.jackson.core.JsonPointer;
 import tools.jackson.databind.exc.JsonNodeException;
 import tools.jackson.databind.node.JsonNodeType;
 import tools.jackson.databind.node.MissingNode;
@@ -76,18 +77,18 @@ public abstract class JsonNode implements Iterable<JsonNode> {
 
     /** The value at a pointer as RFC 6901 writes it. */
     public JsonNode at(String pointer) {
-        JsonNode found = this;
-        if (!pointer.isEmpty()) {
-            for (String step : pointer.substring(1).split("/", -1)) {
-                String name = step.replace("~1", "/").replace("~0", "~");
-                found = found.isArray() ? found.path(index(name)) : found.path(name);
-            }
-        }
-        return found;
+        return at(JsonPointer.compile(pointer));
     }
 
-    private static int index(String name) {
-        return name.matches("\\d{1,9}") ? Integer.parseInt(name) : -1;
+    public JsonNode at(JsonPointer pointer) {
+        JsonNode found = this;
+        for (JsonPointer rest = pointer; !rest.matches(); rest = rest.tail()) {
+            found =
+                    found.isArray()
+                            ? found.path(rest.getMatchingIndex())
+                            : found.path(rest.getMatchingProperty());
+        }
+        return found;
     }
 
     public Set<Map.Entry<String, JsonNode>> properties() {

@@ -137,13 +137,22 @@ public final class DraftFiles {
 
     private DraftFile named(Draft draft) throws IOException {
         Path shelf = folder.orElseThrow(() -> new IOException("this player keeps no files"));
-        String word = word(draft.at("/title/en").asString(NewLevel.ID));
+        String word = word(draft);
         String id = word;
         int number = 2;
         while (isTaken(shelf, id)) {
             id = word + "-" + number++;
         }
         return new DraftFile(draft, Optional.of(shelf.resolve(id + ENDING))).called(id);
+    }
+
+    /** What a draft's file may be called, where no other is beside it. */
+    public static String nameOf(Draft draft) {
+        return word(draft) + ENDING;
+    }
+
+    private static String word(Draft draft) {
+        return word(draft.at("/title/en").asString(NewLevel.ID));
     }
 
     private static boolean isTaken(Path shelf, String id) {

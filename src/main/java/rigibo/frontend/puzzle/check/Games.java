@@ -6,6 +6,7 @@ import rigibo.frontend.puzzle.rules.Replay;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.LongConsumer;
 import java.util.stream.Stream;
 
 /** Plays the games of a check, on one core or on all, and counts what that takes. */
@@ -14,6 +15,7 @@ final class Games {
     private final Cores cores;
     private final LongAdder played = new LongAdder();
     private final LongAdder steps = new LongAdder();
+    private final LongConsumer told;
 
     /** How many cores a check may use. */
     enum Cores {
@@ -22,8 +24,14 @@ final class Games {
         ALL
     }
 
-    Games(Cores cores) {
+    /**
+     * Games on some cores.
+     *
+     * @param told the number of games after each, on the thread that played it
+     */
+    Games(Cores cores, LongConsumer told) {
         this.cores = cores;
+        this.told = told;
     }
 
     /** The elements of a list, to be played with. */
@@ -49,6 +57,7 @@ final class Games {
     void count(int stepsOfIt) {
         played.increment();
         steps.add(stepsOfIt);
+        told.accept(played());
     }
 
     /** Games played so far. */

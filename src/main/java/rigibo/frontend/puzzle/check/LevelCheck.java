@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.LongConsumer;
 import java.util.stream.Collectors;
 
 /**
@@ -27,24 +28,35 @@ final class LevelCheck {
     private final List<Preset> presets;
     private final OptionalInt place;
     private final List<String> proved = new ArrayList<>();
-    private final Games games = new Games(Games.Cores.ALL);
+    private final Games games;
 
-    private LevelCheck(LoadedLevel loaded, Level level, List<Preset> presets, OptionalInt place) {
+    private LevelCheck(
+            LoadedLevel loaded,
+            Level level,
+            List<Preset> presets,
+            OptionalInt place,
+            LongConsumer told) {
         this.loaded = loaded;
         this.level = level;
         this.presets = presets;
         this.place = place;
+        games = new Games(Games.Cores.ALL, told);
     }
 
     /**
      * Plays a level without loading errors; adds what is wrong to its problems.
      *
      * @param place of the level in its world, from 1; none for one that is not of the game
+     * @param told the number of games after each, on any thread
      * @return what was played, in words, a line each
      */
     static List<String> play(
-            LoadedLevel loaded, Level level, List<Preset> presets, OptionalInt place) {
-        LevelCheck check = new LevelCheck(loaded, level, presets, place);
+            LoadedLevel loaded,
+            Level level,
+            List<Preset> presets,
+            OptionalInt place,
+            LongConsumer told) {
+        LevelCheck check = new LevelCheck(loaded, level, presets, place, told);
         check.play();
         return check.proved;
     }

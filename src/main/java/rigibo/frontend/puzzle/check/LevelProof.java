@@ -7,6 +7,7 @@ import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.function.LongConsumer;
 
 /**
  * Finds all problems of a level's text, including those that appear only in play; takes seconds.
@@ -19,14 +20,19 @@ public final class LevelProof {
      * Reports what {@code levels check --accuracy GAME} finds in a text.
      *
      * @param name what messages call it
+     * @param told the number of games played so far, after each, on any thread
      */
-    public static List<Problem> problems(String name, String text) {
+    public static List<Problem> problems(String name, String text, LongConsumer told) {
         LoadedLevel loaded = new LevelLoader().parse(name, text);
         loaded.level()
                 .ifPresent(
                         level ->
                                 LevelCheck.play(
-                                        loaded, level, List.of(Preset.GAME), OptionalInt.empty()));
+                                        loaded,
+                                        level,
+                                        List.of(Preset.GAME),
+                                        OptionalInt.empty(),
+                                        told));
         return loaded.problems();
     }
 }

@@ -52,7 +52,11 @@ public final class LevelsCheck {
                         .map(
                                 level ->
                                         LevelCheck.play(
-                                                loaded, level, presets, LevelShelf.place(file)))
+                                                loaded,
+                                                level,
+                                                presets,
+                                                LevelShelf.place(file),
+                                                games -> {}))
                         .orElse(List.of());
         out.println(file + ": " + (loaded.hasErrors() ? "ERRORS" : "ok"));
         proved.forEach(line -> out.println("  " + line));

@@ -12,6 +12,7 @@ import rigibo.frontend.scene.accuracy.Preset;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.LongConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -37,7 +38,16 @@ public final class Sieve {
 
     private static final List<Preset> PRESETS = List.of(Preset.GAME);
 
-    private final Games games = new Games(Games.Cores.ONE);
+    private final Games games;
+
+    /**
+     * A sieve for any number of levels.
+     *
+     * @param told the number of games after each
+     */
+    public Sieve(LongConsumer told) {
+        games = new Games(Games.Cores.ONE, told);
+    }
 
     /**
      * Returns what was found out about a level with one solution, whose clicks are its par; empty

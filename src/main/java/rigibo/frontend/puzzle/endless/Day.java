@@ -38,7 +38,7 @@ public record Day(LocalDate date) implements Occasion {
 
     /** The day that a clock shows in UTC, the same all over the world. */
     public static Day of(Clock clock) {
-        return new Day(LocalDate.ofInstant(clock.instant(), ZoneOffset.UTC));
+        return new Day(clock.instant().atZone(ZoneOffset.UTC).toLocalDate());
     }
 
     @Override

@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.endless;
 
+import rigibo.frontend.puzzle.generate.Generated;
 import rigibo.frontend.puzzle.generate.Generator;
 import rigibo.frontend.puzzle.level.Level;
 
@@ -13,6 +14,7 @@ public final class Making {
     private final List<Long> seeds;
     private final Thread thread = new Thread(this::make, "making a level");
     private volatile Optional<Made> made = Optional.empty();
+    private volatile Optional<Generated.Effort> effort = Optional.empty();
     private volatile boolean isHopeless;
 
     /**
@@ -21,7 +23,13 @@ public final class Making {
      * @param seed that it is the level of
      * @param level as the seed decides it
      */
-    public record Made(long seed, Level level) {}
+    public record Made(long seed, Level level) {
+
+        /** A level that knows the seed that it was made from. */
+        static Made of(Level level) {
+            return new Made(level.origin().orElseThrow().seed(), level);
+        }
+    }
 
     private Making(List<Long> seeds) {
         this.seeds = List.copyOf(seeds);
@@ -38,15 +46,10 @@ public final class Making {
     }
 
     private void make() {
-        Generator generator = new Generator();
+        Generator generator = new Generator(now -> effort = Optional.of(now));
         try {
-            for (long seed : seeds) {
-                made = generator.level(seed).map(found -> new Made(seed, found.level()));
-                if (made.isPresent()) {
-                    return;
-                }
-            }
-            isHopeless = true;
+            made = generator.first(seeds).map(Generated::level).map(Made::of);
+            isHopeless = made.isEmpty();
         } catch (CancellationException stopped) {
             // Nobody waits any more.
             made = Optional.empty();
@@ -56,6 +59,11 @@ public final class Making {
     /** The level; empty as long as it is being made. */
     public Optional<Made> made() {
         return made;
+    }
+
+    /** The work so far on a seed; empty before the first game. */
+    public Optional<Generated.Effort> effort() {
+        return effort;
     }
 
     /** Whether none of the seeds has a level. */

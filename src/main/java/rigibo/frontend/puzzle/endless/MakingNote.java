@@ -3,13 +3,13 @@ package rigibo.frontend.puzzle.endless;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
 
 /**
- * Says that a level is being made, with dots that come one after the other, or that none can be.
+ * Says that a level is being made and how far that is, with dots that come one after the other, or
+ * that none can be.
  */
 public final class MakingNote {
 
@@ -17,25 +17,50 @@ public final class MakingNote {
     private static final int DOT_STEPS = Steps.of(0.5);
     private static final double DOT_PITCH = 26;
 
+    /** From the middle of the note to the words how far the search is, px. */
+    private static final double EFFORT = 54;
+
     private MakingNote() {}
 
     /**
-     * Draws it in the middle of the scene's width.
+     * Draws it.
      *
+     * @param middle of it, px
      * @param y middle of it, px
      * @param steps since it was first shown
      */
     public static void draw(
-            Canvas canvas, Words words, Making making, double y, int steps, Motion motion) {
-        double middle = Scene.WIDTH / 2.0;
+            Canvas canvas,
+            Words words,
+            Making making,
+            double middle,
+            double y,
+            int steps,
+            Motion motion) {
+        double unit = canvas.layout().lettered(1);
         if (making.isHopeless()) {
             Print.centred(canvas, words.of("made.none"), middle, y, 18, Color.TEXT);
             return;
         }
-        Print.centred(canvas, words.of("made.making"), middle, y - 16, 18, Color.TEXT);
+        Print.centred(canvas, words.of("made.making"), middle, y - 16 * unit, 18, Color.TEXT);
         int shown = motion == Motion.REDUCED ? DOTS : steps / DOT_STEPS % (DOTS + 1);
         for (int i = 0; i < shown; i++) {
-            canvas.disc(middle + (i - (DOTS - 1) / 2.0) * DOT_PITCH, y + 20, 6, Color.BRASS);
+            canvas.disc(
+                    middle + (i - (DOTS - 1) / 2.0) * DOT_PITCH * unit,
+                    y + 20 * unit,
+                    6 * unit,
+                    Color.BRASS);
         }
+        making.effort()
+                .map(effort -> words.of("made.effort", effort.plans(), effort.games()))
+                .ifPresent(
+                        told ->
+                                Print.centred(
+                                        canvas,
+                                        told,
+                                        middle,
+                                        y + EFFORT * unit,
+                                        16,
+                                        Color.TEXT_DIM));
     }
 }

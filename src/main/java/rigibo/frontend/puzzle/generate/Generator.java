@@ -6,7 +6,9 @@ import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.Origin;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /** Makes the level of a seed: tries plan after plan until one is a puzzle. */
 public final class Generator {
@@ -32,6 +34,26 @@ public final class Generator {
     public static final long LAST_SEED = 999_999_999_999L;
 
     private final LevelLoader loader = new LevelLoader();
+    private final Consumer<Generated.Effort> told;
+
+    /** A generator that tells nobody how far it is. */
+    public Generator() {
+        this(effort -> {});
+    }
+
+    /**
+     * A generator.
+     *
+     * @param told the work so far on the present seed, after each game, on the calling thread
+     */
+    public Generator(Consumer<Generated.Effort> told) {
+        this.told = told;
+    }
+
+    /** Makes the level of the first of some seeds that has one; empty if none has. */
+    public Optional<Generated> first(List<Long> seeds) {
+        return seeds.stream().map(this::level).flatMap(Optional::stream).findFirst();
+    }
 
     /**
      * Makes a level, which takes seconds. Uses the calling thread alone.
@@ -46,19 +68,30 @@ public final class Generator {
             throw new IllegalArgumentException(
                     "the seed must be 0 to " + LAST_SEED + ", was " + seed);
         }
-        Sieve sieve = new Sieve();
+        Search search = new Search();
         for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+            search.plans++;
             Plan plan = Architect.plan(new Chance(seed, attempt));
             Optional<Draft> draft = hasChoice(plan) ? draft(seed, plan) : Optional.empty();
-            Optional<Figures> figures = draft.flatMap(made -> sieve.figures(made.level));
+            Optional<Figures> figures = draft.flatMap(made -> search.sieve.figures(made.level));
             if (figures.isPresent()) {
-                Generated.Effort effort =
-                        new Generated.Effort(attempt + 1, sieve.games(), sieve.steps());
                 Level level = draft.get().level.madeFrom(new Origin(seed, VERSION));
-                return Optional.of(new Generated(draft.get().text, level, figures.get(), effort));
+                return Optional.of(
+                        new Generated(draft.get().text, level, figures.get(), search.effort()));
             }
         }
         return Optional.empty();
+    }
+
+    /** What was done for a seed so far. */
+    private final class Search {
+
+        private final Sieve sieve = new Sieve(games -> told.accept(effort()));
+        private int plans;
+
+        Generated.Effort effort() {
+            return new Generated.Effort(plans, sieve.games(), sieve.steps());
+        }
     }
 
     private static boolean hasChoice(Plan plan) {

@@ -43,7 +43,8 @@ class FalseLeadsTest {
     }
 
     private static List<String> leads(Level level, FalseLeads.Losses losses, Set<String> winning) {
-        return new FalseLeads(level, new Games(Games.Cores.ONE), losses).first(winning);
+        return new FalseLeads(level, new Games(Games.Cores.ONE, games -> {}), losses)
+                .first(winning);
     }
 
     @Test

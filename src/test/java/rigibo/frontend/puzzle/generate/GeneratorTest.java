@@ -16,6 +16,7 @@ import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Origin;
 import rigibo.frontend.puzzle.level.Verb;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.stream.LongStream;
@@ -70,7 +71,8 @@ class GeneratorTest {
     @Test
     void everyLevelPassesTheCheckOfLevels() {
         for (Generated each : levels) {
-            List<Problem> problems = LevelProof.problems(each.level().id(), each.text());
+            List<Problem> problems =
+                    LevelProof.problems(each.level().id(), each.text(), games -> {});
             assertThat(problems).as(each.text()).isEmpty();
         }
     }
@@ -100,6 +102,16 @@ class GeneratorTest {
                     .containsAll(each.figures().falseLeads())
                     .containsAll(each.figures().traps());
         }
+    }
+
+    /** Whoever waits sees how far it is; the last word is what the level took. */
+    @Test
+    void everyGameIsTold() {
+        List<Generated.Effort> told = new ArrayList<>();
+        Generated made = new Generator(told::add).first(List.of(FIRST)).orElseThrow();
+        assertThat(made.text()).isEqualTo(levels.get(0).text());
+        assertThat(told).hasSize((int) made.effort().games()).endsWith(made.effort());
+        assertThat(told.stream().map(Generated.Effort::steps)).isSorted();
     }
 
     @Test

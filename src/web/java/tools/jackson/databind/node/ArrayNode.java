@@ -53,6 +53,15 @@ public final class ArrayNode extends JsonNode {
         return add(NODES.numberNode(value));
     }
 
+    public ArrayNode set(int index, JsonNode value) {
+        values.set(index, value);
+        return this;
+    }
+
+    public JsonNode remove(int index) {
+        return values.remove(index);
+    }
+
     public ArrayNode addAll(Collection<? extends JsonNode> more) {
         values.addAll(more);
         return this;

@@ -52,6 +52,19 @@ public final class ObjectNode extends JsonNode {
         return this;
     }
 
+    public JsonNode putIfAbsent(String name, JsonNode value) {
+        return values.putIfAbsent(name, value);
+    }
+
+    public JsonNode remove(String name) {
+        return values.remove(name);
+    }
+
+    public ObjectNode remove(Collection<String> names) {
+        values.keySet().removeAll(names);
+        return this;
+    }
+
     public ObjectNode setAll(ObjectNode others) {
         values.putAll(others.values);
         return this;

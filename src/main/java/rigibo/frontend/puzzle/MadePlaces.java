@@ -1,0 +1,131 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.widget.Grid;
+import rigibo.frontend.scene.widget.Plate;
+
+/**
+ * Where the parts of the scene of a level that is made by chance are, logical px.
+ *
+ * @param back the way back
+ * @param title the middle of the heading
+ * @param picture of the level, or what is said until it is there
+ * @param play the row of what is done with the level
+ * @param results of levels before; as high as they need where there is room
+ * @param head from its edge to the middle of its heading, and from the last line to its other edge
+ * @param row height of a line of them
+ */
+record MadePlaces(
+        Plate back,
+        Plate title,
+        Plate picture,
+        Plate play,
+        Plate results,
+        double head,
+        double row) {
+
+    private static final double EDGE = 20;
+    private static final double GAP = 10;
+    private static final double PICTURE = 330;
+    private static final double BUTTON = 42;
+    private static final double HEAD = 28;
+    private static final double ROW = 30;
+
+    /** Between the buttons of the row, px. */
+    private static final double APART = 16;
+
+    /** Height of the heading, px. */
+    private static final double TITLE = 44;
+
+    /** The share of a lying window that the picture may take. */
+    private static final double PICTURE_SHARE = 0.5;
+
+    /** The scene as it is on a desk. */
+    static final MadePlaces ON_A_DESK = onADesk();
+
+    private static MadePlaces onADesk() {
+        Plate picture = new Plate((Scene.WIDTH - PICTURE) / 2, 84, PICTURE, PICTURE);
+        Plate play = new Plate(picture.x(), picture.bottom() + 14, PICTURE, BUTTON);
+        double results = play.bottom() + 22;
+        return new MadePlaces(
+                new Plate(EDGE, 22, 130, BUTTON),
+                new Plate(Scene.WIDTH / 2.0, 44, 0, 0),
+                picture,
+                play,
+                new Plate(EDGE, results, Scene.WIDTH - 2 * EDGE, Scene.HEIGHT - EDGE - results),
+                HEAD,
+                ROW);
+    }
+
+    /** Where they are in a window. */
+    static MadePlaces of(Layout layout) {
+        if (!layout.isInHand()) {
+            return ON_A_DESK;
+        }
+        return layout.isUpright() ? upright(layout) : lying(layout);
+    }
+
+    private static MadePlaces upright(Layout layout) {
+        double finger = layout.clickable(0);
+        double left = layout.seenLeft() + GAP;
+        double width = layout.seenRight() - GAP - left;
+        Plate back = new Plate(left, layout.seenTop() + GAP, width / 2, finger);
+        Plate title = heading(layout, left, back.bottom(), width);
+        Plate picture = new Plate(left, title.y() + title.height(), width, PICTURE * 1.4);
+        Plate play = new Plate(left, picture.bottom() + GAP, width, finger);
+        return new MadePlaces(
+                back,
+                title,
+                picture,
+                play,
+                below(layout, play, left, width),
+                layout.lettered(HEAD),
+                layout.lettered(ROW));
+    }
+
+    private static MadePlaces lying(Layout layout) {
+        double finger = layout.clickable(0);
+        double left = layout.seenLeft() + GAP;
+        double top = layout.seenTop() + GAP;
+        double share = PICTURE_SHARE * (layout.seenRight() - layout.seenLeft());
+        Plate picture = new Plate(left, top, share, layout.seenBottom() - GAP - top);
+        double aside = picture.right() + GAP;
+        double width = layout.seenRight() - GAP - aside;
+        Plate back = new Plate(aside, top, width / 2, finger);
+        Plate title = heading(layout, aside, back.bottom(), width);
+        Plate play = new Plate(aside, title.y() + title.height(), width, finger);
+        return new MadePlaces(
+                back,
+                title,
+                picture,
+                play,
+                below(layout, play, aside, width),
+                layout.lettered(HEAD),
+                layout.lettered(ROW));
+    }
+
+    private static Plate heading(Layout layout, double left, double above, double width) {
+        double height = layout.lettered(TITLE);
+        return new Plate(left + width / 2, above + height / 2, 0, height / 2);
+    }
+
+    private static Plate below(Layout layout, Plate play, double left, double width) {
+        double y = play.bottom() + GAP;
+        return new Plate(left, y, width, layout.seenBottom() - GAP - y);
+    }
+
+    /**
+     * A place in the row of what is done, of one or two: half of it, and one alone in the middle.
+     */
+    Plate button(int index, int count) {
+        Plate half = Grid.of(play, 2, APART).place(index);
+        double middle = play.x() + (play.width() - half.width()) / 2;
+        return count == 1 ? new Plate(middle, half.y(), half.width(), half.height()) : half;
+    }
+
+    /** How many lines of results there is room for, below their heading. */
+    int rows() {
+        return (int) ((results.height() - 2 * head) / row);
+    }
+}

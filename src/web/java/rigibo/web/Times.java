@@ -1,0 +1,66 @@
+package rigibo.web;
+
+import rigibo.backend.Pool;
+import rigibo.backend.setup.Accuracy;
+import rigibo.lab.bench.scene.MovingScenes;
+import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.engine.RigiBoEngine;
+
+import java.util.Arrays;
+import java.util.List;
+
+/** Prints what a step of some scenes of the bench takes, on the JVM and in a browser. */
+public final class Times {
+
+    /** What all lines begin with. */
+    public static final String MARK = "times of ";
+
+    /** A crowd that falls, a pile that comes to rest, and chains of joints. */
+    public static final List<String> SCENES = List.of("rain-mixed-200", "settle-20", "bridge");
+
+    /** Steps of a run: 5 s. */
+    private static final int STEPS = 300;
+
+    /** Runs until code is compiled as well as it will be, and those of which the median counts. */
+    private static final int WARMING = 5;
+
+    private static final int TIMED = 5;
+
+    private static final double MICROSECOND = 1e3;
+
+    private Times() {}
+
+    /**
+     * Prints a line for each scene: its name, what a step takes in µs, and the state at the end.
+     */
+    public static void main(String[] arguments) {
+        for (String name : SCENES) {
+            Run last = null;
+            double[] micros = new double[TIMED];
+            for (int run = -WARMING; run < TIMED; run++) {
+                last = Run.of(name);
+                if (run >= 0) {
+                    micros[run] = last.nanos / MICROSECOND / STEPS;
+                }
+            }
+            Arrays.sort(micros);
+            System.out.println(
+                    MARK + name + ": " + micros[TIMED / 2] + " " + Long.toHexString(last.state));
+        }
+    }
+
+    /** A run of a scene: what it took, ns, and the hash of its end. */
+    private record Run(long nanos, long state) {
+
+        static Run of(String name) {
+            Scene scene = MovingScenes.named(name).scene().get();
+            Pool pool = new Pool(scene.effects(), Accuracy.GAME);
+            scene.build(RigiBoEngine.world(pool));
+            long begin = System.nanoTime();
+            for (int i = 0; i < STEPS; i++) {
+                pool.step(Scene.STEP);
+            }
+            return new Run(System.nanoTime() - begin, pool.stateHash());
+        }
+    }
+}
