@@ -76,7 +76,11 @@ final class ContactRows {
             rows.target[row] = d[at + NEARING] - Math.max(0, gap) / h;
             rows.give[row] = d[at + GIVE];
             rows.lower[row] = 0;
-            if (states.ofContact(contact, point) == RowStates.OPEN) {
+            if (contacts.isOutOfReach(contact)) {
+                // It is watched, but nothing is to be reckoned with its gap.
+                rows.target[row] = 0;
+                rows.upper[row] = 0;
+            } else if (states.ofContact(contact, point) == RowStates.OPEN) {
                 rows.upper[row] = 0;
             }
             end(row);
