@@ -144,6 +144,16 @@ final class ContactRows {
         return false;
     }
 
+    /** Whether a row is what a point of a contact pushes with. */
+    boolean isPoint(int row) {
+        return rows.contact[row] != NeutralRows.NONE && rows.load[row] == NeutralRows.NONE;
+    }
+
+    /** The smaller width of the two bodies of a contact's row, m. */
+    double width(int row) {
+        return contacts.data[rows.contact[row] * PackedContacts.STRIDE + PackedContacts.WIDTH];
+    }
+
     /** Writes the impulses back to the contacts. */
     void store() {
         for (int row = 0; row < rows.count; row++) {
