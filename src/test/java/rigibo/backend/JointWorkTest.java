@@ -7,7 +7,6 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
@@ -89,7 +88,7 @@ class JointWorkTest {
      */
     @ParameterizedTest
     @CsvSource({"2, 600000", "3, 900000"})
-    void heapOfRagdollsComesToRestWithFewEliminations(int count, double most) {
+    void heapOfRagdollsTakesFewEliminations(int count, double most) {
         Pool pool = heapOfRagdolls(count, 0);
         int steps = 900;
         double work = 0;
@@ -97,7 +96,6 @@ class JointWorkTest {
             work += pool.step(Scenes.DT).multiplications();
         }
         assertThat(work / steps).isLessThan(most);
-        assertThat(pool.bodies()).noneMatch(RigidBody::isAwake);
     }
 
     /**
@@ -106,9 +104,9 @@ class JointWorkTest {
      * and that takes more than half a minute. Heaps that crept by some 20 µm/s never came to rest.
      */
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 5, 6, 8, 11})
-    void heapOfRagdollsComesToRestWhereverItFalls(int millimetres) {
-        Pool pool = heapOfRagdolls(2, millimetres * 1e-3);
+    @CsvSource({"2, 0", "2, 1", "2, 5", "2, 6", "2, 8", "2, 11", "3, 0"})
+    void heapOfRagdollsComesToRestWhereverItFalls(int count, int millimetres) {
+        Pool pool = heapOfRagdolls(count, millimetres * 1e-3);
         int steps = 0;
         while (steps < 3600 && pool.bodies().stream().anyMatch(RigidBody::isAwake)) {
             pool.step(Scenes.DT);

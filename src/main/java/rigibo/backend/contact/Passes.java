@@ -2,6 +2,7 @@ package rigibo.backend.contact;
 
 import rigibo.backend.contact.row.EarlierImpulses;
 import rigibo.backend.contact.row.Kick;
+import rigibo.backend.contact.row.MissedWidth;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.solve.ContactSweep;
@@ -109,11 +110,7 @@ public final class Passes {
     private final ContactSweep sweep;
     private final OverlapSolver overlap;
 
-    /**
-     * Allowed error of a contact in a substep, in widths: the impact tolerance to the power of
-     * three quarters, a thousandth at the game's accuracy. The power is below 1 since each pass
-     * removes only a share of the error, not a digit.
-     */
+    /** Allowed error of a contact in a substep, in widths. */
     private final double missed;
 
     /** Number of substeps relative to the game's, at most 1. */
@@ -157,7 +154,7 @@ public final class Passes {
         this.guard = guard;
         this.sweep = sweep;
         this.overlap = overlap;
-        missed = missed(accuracy);
+        missed = MissedWidth.of(accuracy);
         isCorrecting = accuracy.correction() == Correction.SOFT;
         usual = accuracy.substeps();
         shorter = Math.min(1, usual / (double) Accuracy.GAME.substeps());
@@ -166,12 +163,6 @@ public final class Passes {
         noise = NOISE * shorter * shorter;
         int passes = Math.max(LEAST_PASSES, usual * usual * usual / CUBES_PER_PASS);
         most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);
-    }
-
-    /** Value of {@link #missed} at an accuracy. */
-    private static double missed(Accuracy accuracy) {
-        double root = Math.sqrt(accuracy.impactTolerance());
-        return root * Math.sqrt(root);
     }
 
     /**

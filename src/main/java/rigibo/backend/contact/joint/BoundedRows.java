@@ -1,13 +1,12 @@
 package rigibo.backend.contact.joint;
 
-import rigibo.backend.contact.row.Motions;
-
 import java.util.Arrays;
 
 /**
  * The rows with bounds in an island whose equations are eliminated: limits, motors, and springs
  * whose force is known. A row within its bounds holds like an equation; a row at a bound is solved
- * in passes (projected Gauss–Seidel). Rows may change between the two during the first passes.
+ * in passes (projected Gauss–Seidel), as is one that leaves its bounds; from the next kick on it
+ * holds again if what it carries is within them.
  */
 final class BoundedRows {
 
@@ -19,9 +18,9 @@ final class BoundedRows {
      */
     private static final double CLOSED = 1e-4;
 
-    private final Motions motions;
     private final NeutralRows rows;
     private final JointRows joints;
+    private final ContactRows contacts;
     private final PackedJoints packed;
     private final EquationList equations;
     private final Responses responses;
@@ -50,20 +49,29 @@ final class BoundedRows {
     private double squareBefore;
 
     private long solves;
+    private long asked;
+
+    /** By row: whether the last pass that asked it left it as it was. */
+    private boolean[] isLeft = new boolean[64];
 
     BoundedRows(
-            Motions motions,
             NeutralRows rows,
             JointRows joints,
+            ContactRows contacts,
             PackedJoints packed,
             EquationList equations,
             Responses responses) {
         this.responses = responses;
-        this.motions = motions;
         this.rows = rows;
         this.joints = joints;
+        this.contacts = contacts;
         this.packed = packed;
         this.equations = equations;
+    }
+
+    /** Rows asked for what they lack since passes began. */
+    long asked() {
+        return asked;
     }
 
     /** Rows solved since it was asked for last. */
@@ -145,6 +153,7 @@ final class BoundedRows {
         if (step.length < rows.count) {
             step = new double[rows.bodies.length];
             way = new double[rows.bodies.length];
+            isLeft = new boolean[rows.bodies.length];
         }
         for (int row = jointRows; row < rows.count; row++) {
             bounded[count++] = row;
@@ -189,82 +198,88 @@ final class BoundedRows {
         squareBefore = square;
     }
 
+    /** Begins with passes. */
+    void beginPasses() {
+        asked = 0;
+        beginWay();
+    }
+
     /** Restarts the extrapolation, since other rows hold. */
     void beginWay() {
         squareBefore = 0;
     }
 
     /**
-     * Makes one pass over the rows that do not hold; returns the largest change of a row's speed,
-     * m/s.
+     * Makes one pass over the rows that do not hold, or over those that the last one changed.
+     *
+     * @param least change of a row's speed that is worth making, m/s
+     * @return the largest one that was made, m/s
      */
-    double pass(boolean isBack) {
+    double pass(boolean isBack, boolean areAll, double least) {
         double most = 0;
         square = 0;
         for (int i = 0; i < count; i++) {
             int row = bounded[isBack ? count - 1 - i : i];
             step[row] = 0;
-            if (!holds[row]) {
-                most = Math.max(most, solve(row));
+            if (!holds[row] && (areAll || !isLeft[row])) {
+                double change = change(row, least);
+                isLeft[row] = change == 0;
+                if (change != 0) {
+                    most = Math.max(most, make(row, change));
+                }
             }
         }
         return most;
     }
 
-    private double solve(int row) {
+    /** By how much a row's impulse is to change; 0 if that is not worth it. */
+    private double change(int row, double least) {
+        asked++;
         double residual = responses.residual(row);
-        if (residual >= 0 && rows.impulse[row] <= rows.lower[row] && rows.load[row] == NONE) {
+        double impulse = rows.impulse[row];
+        boolean mayFall = residual > 0 && impulse > rows.lower[row];
+        boolean mayRise = residual < 0 && impulse < rows.upper[row];
+        boolean isWithin = impulse >= rows.lower[row] && impulse <= rows.upper[row];
+        if (isWithin && (!mayFall && !mayRise || rows.inMetres(row, residual) <= least)) {
             return 0;
         }
-        if (rows.upper[row] == 0 && rows.impulse[row] == 0) {
-            return 0;
-        }
-        solves++;
         double response = responses.own(row) + rows.give[row];
-        double change = clamp(row, rows.impulse[row] - residual / response) - rows.impulse[row];
-        if (change == 0) {
-            return 0;
-        }
+        double change = clamp(row, impulse - residual / response) - impulse;
+        boolean isWorth = rows.inMetres(row, change) * responses.own(row) > least;
+        return isWorth || !isWithin ? change : 0;
+    }
+
+    /** Changes a row's impulse; returns by how much that changes the row's speed, m/s. */
+    private double make(int row, double change) {
+        solves++;
         rows.impulse[row] += change;
         responses.push(row, change);
         step[row] = change;
-        square += change * change * responses.own(row);
-        return Math.abs(change) * responses.own(row) * reach(row);
+        double own = responses.own(row);
+        square += change * change * own;
+        return rows.inMetres(row, change) * own;
     }
 
-    /**
-     * Factor that turns a row's speed into one of outlines: the reach of the bodies that it turns,
-     * otherwise 1.
-     */
-    private double reach(int row) {
-        double most = 0;
-        for (int k = 0; k < rows.bodies[row]; k++) {
-            int at = row * NeutralRows.DERIVATIVES + 3 * k;
-            if (rows.derivative[at] != 0 || rows.derivative[at + 1] != 0) {
-                return 1;
-            }
-            int entry = rows.body[row * NeutralRows.BODIES + k] / Motions.STRIDE;
-            most = Math.max(most, motions.reach[entry]);
+    /** Whether a contact's point sinks in by more than a number of widths in h seconds. */
+    boolean areSinking(double h, double most) {
+        boolean isSinking = false;
+        for (int row = jointRows; !isSinking && row < rows.count; row++) {
+            boolean isPoint = contacts.isPoint(row);
+            isSinking = isPoint && -responses.residual(row) * h > most * contacts.width(row);
         }
-        return most;
+        return isSinking;
     }
 
     /**
-     * Frees rows that are beyond their bounds, and lets rows within them hold if they may. Marks
-     * the groups concerned; returns whether there were any.
+     * Frees rows that hold beyond their bounds. Marks the groups concerned; returns whether there
+     * were any.
      */
-    boolean exchange(boolean mayEnter, AssemblyTree tree, boolean[] isOther) {
+    boolean leave(AssemblyTree tree, boolean[] isOther) {
         boolean isAny = false;
         for (int e = 0; e < equations.count; e++) {
-            if (equations.boundedCount[e] > 0) {
-                boolean isChanged = leave(e);
-                if (!isChanged && mayEnter && equations.row[e] == NONE) {
-                    isChanged = enter(e);
-                }
-                if (isChanged) {
-                    isAny = true;
-                    isOther[tree.groupOf[equations.bodyOf(equations.bodyStart(e))]] = true;
-                }
+            if (equations.boundedCount[e] > 0 && leave(e)) {
+                isAny = true;
+                isOther[tree.groupOf[equations.bodyOf(equations.bodyStart(e))]] = true;
             }
         }
         return isAny;
@@ -279,21 +294,10 @@ final class BoundedRows {
         if (within == rows.impulse[row]) {
             return false;
         }
-        rows.impulse[row] = within;
+        rows.push(row, within - rows.impulse[row]);
         holds[row] = false;
         equations.row[e] = NONE;
         return true;
-    }
-
-    private boolean enter(int e) {
-        for (int i = 0; i < equations.boundedCount[e]; i++) {
-            int row = equations.firstBounded[e] + i;
-            if (isWithin(row, rows.impulse[row])) {
-                enter(e, row);
-                return true;
-            }
-        }
-        return false;
     }
 
     /**

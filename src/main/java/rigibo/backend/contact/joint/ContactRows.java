@@ -76,7 +76,11 @@ final class ContactRows {
             rows.target[row] = d[at + NEARING] - Math.max(0, gap) / h;
             rows.give[row] = d[at + GIVE];
             rows.lower[row] = 0;
-            if (states.ofContact(contact, point) == RowStates.OPEN) {
+            if (contacts.isOutOfReach(contact)) {
+                // It is watched, but nothing is to be reckoned with its gap.
+                rows.target[row] = 0;
+                rows.upper[row] = 0;
+            } else if (states.ofContact(contact, point) == RowStates.OPEN) {
                 rows.upper[row] = 0;
             }
             end(row);
@@ -138,6 +142,16 @@ final class ContactRows {
             }
         }
         return false;
+    }
+
+    /** Whether a row is what a point of a contact pushes with. */
+    boolean isPoint(int row) {
+        return rows.contact[row] != NeutralRows.NONE && rows.load[row] == NeutralRows.NONE;
+    }
+
+    /** The smaller width of the two bodies of a contact's row, m. */
+    double width(int row) {
+        return contacts.data[rows.contact[row] * PackedContacts.STRIDE + PackedContacts.WIDTH];
     }
 
     /** Writes the impulses back to the contacts. */

@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.MissedWidth;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.setup.Accuracy;
@@ -15,14 +16,40 @@ import java.util.Arrays;
  */
 final class CrowdSolver {
 
-    /** Passes in a usual substep at most; the next one begins with what they came to. */
-    private static final int MOST_PASSES = 24;
+    /**
+     * Passes in a usual substep, whatever they cost; the next one begins with what they came to.
+     */
+    private static final int USUAL_PASSES = 24;
+
+    /**
+     * Passes in a usual substep at most. With 24, heaps of a hundred ragdolls left bodies in each
+     * other by a quarter of their width, and threw them.
+     */
+    private static final int MOST_PASSES = 96;
+
+    /** Rows asked in a substep before more than the usual passes end: bounds the slowest step. */
+    private static final int MOST_ASKED = 400_000;
 
     /** Passes before what holds is found anew. */
-    private static final int PASSES = 8;
+    private static final int PASSES = 16;
 
-    /** Share of the fastest speed below which a change does not count. */
+    /**
+     * Share of the fastest speed below which a change does not count, after a kick and before it. A
+     * crowd at rest has only what the kick gave it, and would otherwise creep. Both are smaller if
+     * substeps are longer than the game's, since a kick adds more in them.
+     */
     private static final double QUIET = 0.003;
+
+    private static final double QUIET_IN_MOTION = 0.03;
+
+    /** Every how many passes rows are asked that did not change before. */
+    private static final int ALL = 3;
+
+    /** Share of that below which a row is left as it is. */
+    private static final double LEFT = 0.1;
+
+    /** Factor on what may be missed by which a contact may sink in before further passes follow. */
+    private static final double SUNK = 6;
 
     /** Newton's steps to where equations hold at the end of a drift. */
     private static final int MOST_STEPS = 3;
@@ -75,7 +102,14 @@ final class CrowdSolver {
     private double left;
 
     private double freeEnergy;
+    private int usualPasses;
     private int mostPasses;
+
+    /** Number of substeps relative to the game's, at most 1. */
+    private final double shorter;
+
+    /** How far a contact may sink in a substep, in widths. */
+    private final double sunk;
 
     CrowdSolver(
             DataStorage data,
@@ -97,8 +131,10 @@ final class CrowdSolver {
         equations = factor.equations();
         tree = factor.tree();
         settled = SETTLED * tolerance;
+        shorter = Math.min(1, accuracy.substeps() / (double) Accuracy.GAME.substeps());
+        sunk = SUNK * MissedWidth.of(accuracy);
         responses = new Responses(data.bodies, motions, rows, factor);
-        bounded = new BoundedRows(motions, rows, jointRows, packed, equations, responses);
+        bounded = new BoundedRows(rows, jointRows, contactRows, packed, equations, responses);
         double seen = MISSED_PLACE * tolerance;
         places = new CrowdPlaces(rows, jointRows, factor, bounded, responses, seen);
         overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
@@ -116,7 +152,9 @@ final class CrowdSolver {
 
     /** Begins an island that is given fewer, longer substeps, each of which stands for several. */
     void beginIsland(int usual, int substeps) {
-        mostPasses = MOST_PASSES * Math.max(1, usual / substeps);
+        int times = Math.max(1, usual / substeps);
+        usualPasses = times * USUAL_PASSES;
+        mostPasses = times * MOST_PASSES;
         factor.forget();
     }
 
@@ -154,24 +192,25 @@ final class CrowdSolver {
     /**
      * Solves for a substep of h seconds; contacts begin with what they carried before.
      *
-     * @param fastest speed of the fastest body after the kick, m/s
+     * @param before speed of the fastest body before the kick, m/s
+     * @param fastest speed of the fastest body after it, m/s
      * @param noise energy that may be gained, J
      * @param finer share of the usual that equations of large groups may lack
      */
-    void solve(double h, int substep, double fastest, double noise, double finer) {
+    void solve(double h, int substep, double before, double fastest, double noise, double finer) {
+        double quiet = shorter * Math.max(QUIET * fastest, QUIET_IN_MOTION * before);
         left = (responses.areAnyLarge() ? finer : 1) * settled;
         contactRows.write(h, substep);
         warm();
         bounded.addContacts();
         responses.begin();
-        double quiet = QUIET * fastest;
-        run(quiet, true);
+        run(quiet, h, true);
         double most = noise + GAINED * freeEnergy;
         if (!motions.isAnyDriven && !(gained() <= most)) {
             bounded.release();
             factor.changeAll();
             responses.begin();
-            run(quiet, false);
+            run(quiet, h, false);
             if (!(gained() <= most)) {
                 bounded.release();
                 settle(false);
@@ -208,34 +247,48 @@ final class CrowdSolver {
         }
     }
 
-    /** Lets passes and exchanges follow each other until nothing changes any more. */
-    private void run(double quiet, boolean mayExchange) {
+    /**
+     * Lets passes and exchanges follow each other until no speed changes by more than {@code quiet}
+     * m/s, and nothing sinks in too far in h seconds.
+     */
+    private void run(double quiet, double h, boolean mayExchange) {
         int passes = responses.areAnyLarge() ? 1 : PASSES;
-        bounded.beginWay();
+        bounded.beginPasses();
         settle(true);
-        boolean isOpen = mayExchange && exchange(true) || bounded.areAny();
-        for (int pass = 0; isOpen && pass < mostPasses; ) {
+        boolean isOpen = bounded.areAny();
+        for (int pass = 0; isOpen && isWorth(pass); pass += passes) {
             responses.take();
             rows.bound();
-            double change = Double.POSITIVE_INFINITY;
-            for (int i = 0; i < passes && change > quiet; i++) {
-                change = bounded.pass(pass++ % 2 == 1);
-                if (change > quiet && i + 1 < passes) {
-                    bounded.accelerate();
-                }
-            }
+            isOpen = !pass(pass, passes, quiet, h);
             settle(false);
-            isOpen = change > quiet;
-            if (mayExchange && pass < mostPasses) {
+            if (mayExchange && pass + passes < mostPasses) {
                 // After the last pass nothing would answer what others hold from then on.
-                isOpen |= exchange(pass <= PASSES);
+                isOpen |= exchange();
             }
         }
     }
 
-    private boolean exchange(boolean mayEnter) {
+    private boolean isWorth(int pass) {
+        return pass < usualPasses || pass < mostPasses && bounded.asked() < MOST_ASKED;
+    }
+
+    /** Makes so many passes, or fewer if they come to their end; returns whether they did. */
+    private boolean pass(int first, int passes, double quiet, double h) {
+        boolean isDone = false;
+        for (int i = 0; i < passes && !isDone; i++) {
+            boolean isBack = (first + i) % 2 == 1;
+            double change = bounded.pass(isBack, i % ALL == 0, LEFT * quiet);
+            isDone = change <= quiet && !bounded.areSinking(h, sunk);
+            if (!isDone && i + 1 < passes) {
+                bounded.accelerate();
+            }
+        }
+        return isDone;
+    }
+
+    private boolean exchange() {
         Arrays.fill(isOther, 0, tree.groups, false);
-        boolean isAny = bounded.exchange(mayEnter, tree, isOther);
+        boolean isAny = bounded.leave(tree, isOther);
         if (isAny) {
             bounded.beginWay();
             for (int group = 0; group < tree.groups; group++) {
@@ -244,7 +297,12 @@ final class CrowdSolver {
                 }
             }
             responses.forget(isOther);
-            settle(false);
+            for (int group = 0; group < tree.groups; group++) {
+                if (isOther[group]) {
+                    ask(group);
+                    settle(group, false);
+                }
+            }
         }
         return isAny;
     }

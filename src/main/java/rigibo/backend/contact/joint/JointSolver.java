@@ -369,7 +369,7 @@ public final class JointSolver {
      */
     public void solve(double h, int substep, double fastest, double noise) {
         if (!budget.isWhole()) {
-            crowd.solve(h, substep, fastest, noise, finer(fastest));
+            crowd.solve(h, substep, before, fastest, noise, finer(fastest));
             crowd.holdPlaces(h);
             results.add();
             return;
@@ -428,7 +428,7 @@ public final class JointSolver {
             }
         }
         if (!budget.isWhole()) {
-            crowd.solve(h, substep, fastest, noise, finer(fastest));
+            crowd.solve(h, substep, before, fastest, noise, finer(fastest));
             results.add();
             return;
         }

@@ -105,6 +105,9 @@ public final class PackedContacts {
      */
     public static final double COMPLIANCE = 1e-10;
 
+    /** Gap of a contact without points, m. What is added to it loses most of its digits. */
+    static final double OUT_OF_REACH = 1e9;
+
     /** Most contacts of one body that count as possibly loaded. */
     static final int LOADED_PER_BODY = 4;
 
@@ -189,6 +192,11 @@ public final class PackedContacts {
         impact.armAY[i] = -acrossA * nx + alongA * ny;
         impact.armBX[i] = acrossB * ny + alongB * nx;
         impact.armBY[i] = -acrossB * nx + alongB * ny;
+    }
+
+    /** Whether a contact has no point. */
+    public boolean isOutOfReach(int row) {
+        return data[row * STRIDE + GAP0] > OUT_OF_REACH / 2;
     }
 
     /**

@@ -31,9 +31,6 @@ public final class RowBuilder {
     /** Offset of the ground in the motions. */
     private static final int GROUND = 0;
 
-    /** Gap of a contact without points, which is out of reach, m. */
-    private static final double OUT_OF_REACH = 1e9;
-
     /**
      * Compliance of contacts with driven bodies, as a share of the speed that an impulse gives the
      * whole island: such a contact yields at 1 % of g·h under the island's weight. A driven body
@@ -127,7 +124,7 @@ public final class RowBuilder {
         int at = row * PackedContacts.STRIDE;
         writeManifold(row, at, pair);
         if (pairs.points[pair] == 0) {
-            contacts.data[at + PackedContacts.GAP0] = OUT_OF_REACH;
+            contacts.data[at + PackedContacts.GAP0] = PackedContacts.OUT_OF_REACH;
         }
         contacts.data[at + PackedContacts.RECOVERY] = Recovery.RATE;
         contacts.data[at + PackedContacts.WIDTH] = PairTolerances.width(bodies, a, b);
@@ -164,7 +161,7 @@ public final class RowBuilder {
         d[at + PackedContacts.GAP1] =
                 2 * d[at + PackedContacts.GAP1] - motions.gap(contacts, row, 1);
         if (pairs.points[pair] == 0) {
-            d[at + PackedContacts.GAP0] = OUT_OF_REACH;
+            d[at + PackedContacts.GAP0] = PackedContacts.OUT_OF_REACH;
         }
         if (contacts.points[row] < pairs.points[pair]) {
             carryAtOne(at);

@@ -1,0 +1,19 @@
+package rigibo.backend.contact.row;
+
+import rigibo.backend.setup.Accuracy;
+
+/** By how much passes may miss what contacts ask for. */
+public final class MissedWidth {
+
+    private MissedWidth() {}
+
+    /**
+     * Allowed error of a contact in a substep, in widths: the impact tolerance to the power of
+     * three quarters, a thousandth at the game's accuracy. The power is below 1 since each pass
+     * removes only a share of the error, not a digit.
+     */
+    public static double of(Accuracy accuracy) {
+        double root = Math.sqrt(accuracy.impactTolerance());
+        return root * Math.sqrt(root);
+    }
+}
