@@ -39,7 +39,7 @@ class DemoTruthTest {
 
     private static void set(Demo demo, String words, double value) {
         for (Widget widget : demo.widgets()) {
-            if (widget instanceof Slider slider && slider.words().equals(words)) {
+            if (widget instanceof Slider slider && slider.label().equals(words)) {
                 slider.change().accept(value);
                 return;
             }

@@ -98,7 +98,7 @@ class GhostInDemosTest {
         demo.widgets().stream()
                 .filter(Slider.class::isInstance)
                 .map(Slider.class::cast)
-                .filter(slider -> slider.words().equals("torque"))
+                .filter(slider -> slider.label().equals("torque"))
                 .forEach(slider -> slider.change().accept(20));
         for (int step = 0; step < STEPS; step++) {
             if (step == 60) {

@@ -41,7 +41,7 @@ class JointDemosTest {
 
     private static void set(Demo demo, String name, double value) {
         for (Widget widget : demo.widgets()) {
-            if (widget instanceof Slider slider && slider.words().equals(name)) {
+            if (widget instanceof Slider slider && slider.label().equals(name)) {
                 slider.change().accept(value);
                 return;
             }

@@ -35,13 +35,18 @@ public record Slider(
 
     private static final double RAIL = 25 / ROW;
 
+    /** What it is called. */
+    public String label() {
+        return words.of(key);
+    }
+
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
         double share = (value.getAsDouble() - least) / (most - least);
         double row = Widget.row(canvas.layout());
         double middle = y + row * WORDS;
         Color ink = isHot ? Color.TEXT : Color.TEXT_DIM;
-        canvas.text(words.of(key), x, middle, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
+        canvas.text(label(), x, middle, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
         canvas.text(
                 words.number(format, value.getAsDouble()),
                 x + width,
