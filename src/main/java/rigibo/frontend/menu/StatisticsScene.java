@@ -59,9 +59,8 @@ final class StatisticsScene implements TiledScene {
     }
 
     private void layOut() {
-        String back = "‹  " + words.of("menu.back");
-        Tile.Look look = (canvas, tile, isChosen) -> Print.button(canvas, tile, back, isChosen);
-        tiles = new Tiles(List.of(Tile.at(places.back(), look, this::leave)), 0);
+        Tile back = Tile.wayBack(places.back(), words.of("menu.back"), this::leave);
+        tiles = new Tiles(List.of(back), 0);
     }
 
     private void leave() {
@@ -148,7 +147,8 @@ final class StatisticsScene implements TiledScene {
         figure(canvas, at.width() / 4, x, y + 52, stars, "statistics.stars");
     }
 
-    private static String name(Medal medal) {
+    /** The key of a medal's name. */
+    static String name(Medal medal) {
         return switch (medal) {
             case GOLD -> "statistics.gold";
             case SILVER -> "statistics.silver";
