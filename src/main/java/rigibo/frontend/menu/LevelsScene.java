@@ -97,7 +97,12 @@ public final class LevelsScene implements Scene {
         }
         levels.of(world).forEach(level -> laid.add(card(level)));
         tiles = new Tiles(laid, chosen);
-        watch = Tile.at(places.watch(), words.of("replay.watch-best"), this::drawWatch, this::watch);
+        watch =
+                Tile.at(
+                        places.watch(),
+                        words.of("replay.watch-best"),
+                        this::drawWatch,
+                        this::watch);
     }
 
     private Tile tab(int number) {

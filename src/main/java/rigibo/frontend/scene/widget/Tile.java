@@ -14,7 +14,8 @@ import rigibo.frontend.scene.Narrator;
  * @param look draws it
  * @param action what choosing it does
  */
-public record Tile(double x, double y, double width, double height, String name, Look look, Runnable action) {
+public record Tile(
+        double x, double y, double width, double height, String name, Look look, Runnable action) {
 
     /** What a tile looks like. */
     public interface Look {
