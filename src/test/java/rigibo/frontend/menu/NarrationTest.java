@@ -14,6 +14,8 @@ import rigibo.frontend.scene.RecordingNarrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 
+import java.time.LocalDate;
+
 /** What menu, levels and settings tell a player who does not see them, and what can be pressed. */
 class NarrationTest {
 
@@ -62,6 +64,15 @@ class NarrationTest {
         }
         assertThat(told(levels).said())
                 .containsExactly("Opens when 7 levels of this world are solved");
+    }
+
+    @Test
+    void statisticsSayEveryNumber() {
+        director.progress(Progress.none().solved("level0", Entries.HASH, Entries.PAR));
+        LocalDate today = LocalDate.of(2026, 11, 28);
+        Scene statistics = new StatisticsScene(director, Entries.levels(15), today);
+        assertThat(told(statistics).said()).contains("1 of 15 solved", "gold: 1", "silver: 0");
+        assertThat(told(statistics).names()).containsExactly("Menu");
     }
 
     @Test

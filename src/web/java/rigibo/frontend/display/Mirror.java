@@ -25,8 +25,8 @@ final class Mirror implements Narrator {
     /** Pictures from one look at the scene to the next: a tenth of a second. */
     private static final int PERIOD = 6;
 
-    /** Sentences that the log keeps: it is read as it grows. */
-    private static final int KEPT = 4;
+    /** Sentences that the log keeps, more than a scene says at once: it is read as it grows. */
+    private static final int KEPT = 20;
 
     private static final int NONE = -1;
 
@@ -37,6 +37,7 @@ final class Mirror implements Narrator {
     private final HTMLElement log = document.getElementById("said");
     private final List<HTMLElement> elements = new ArrayList<>();
     private List<Control> shown = List.of();
+    private Layout placed = Layout.ALONE;
     private List<Control> offered = new ArrayList<>();
     private Set<String> known = Set.of();
     private Set<String> said = new LinkedHashSet<>();
@@ -74,8 +75,9 @@ final class Mirror implements Narrator {
         said = new LinkedHashSet<>();
         scene.describe(this);
         offered.addAll(beside);
-        if (!offered.equals(shown)) {
+        if (!offered.equals(shown) || !layout.equals(placed)) {
             shown = offered;
+            placed = layout;
             arrange(layout);
         }
         follow();
