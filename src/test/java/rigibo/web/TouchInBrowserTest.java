@@ -9,10 +9,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 
 /**
- * A level is played to its verdict by touch, in a browser as large as a phone, and another made
- * beside the page: under a policy that allows no code from texts, nothing is written to its
- * console, and nothing is asked for beyond the page's folder. Where there is no browser, or what
- * compiles the page was never fetched, nothing is tested, and the test says so.
+ * A level is played to its verdict by touch, in a browser as large as a phone, another made beside
+ * the page, and what screen readers are told is asked for: under a policy that allows no code from
+ * texts, nothing is written to its console, and nothing is asked for beyond the page's folder.
+ * Where there is no browser, or what compiles the page was never fetched, nothing is tested, and
+ * the test says so.
  */
 class TouchInBrowserTest {
 
@@ -22,6 +23,7 @@ class TouchInBrowserTest {
     void aLevelIsSolvedByFingers() throws IOException, InterruptedException {
         assertThat(WebProgram.run(folder, "--touch-one"))
                 .contains("1 of 1 levels were solved by touch")
+                .contains("menu read: true, calm: true")
                 .contains("beside the page: made");
     }
 }

@@ -83,7 +83,7 @@ final class GalleryScene implements TiledScene {
      */
     private void layOut(int card) {
         List<Tile> laid = new ArrayList<>();
-        laid.add(Tile.at(places.back(), this::drawBack, director::showMenu));
+        laid.add(Tile.wayBack(places.back(), words.of("menu.back"), director::showMenu));
         addTabs(laid);
         firstCard = laid.size();
         List<Found> cards = ofPage();
@@ -91,8 +91,8 @@ final class GalleryScene implements TiledScene {
             laid.add(card(cards.get(i), i));
         }
         if (pages() > 1) {
-            laid.add(pager(places.pagers().place(0), "‹", -1));
-            laid.add(pager(places.pagers().place(1), "›", 1));
+            laid.add(pager(0, "action.previous", "‹", -1));
+            laid.add(pager(1, "action.next", "›", 1));
         }
         tiles = new Tiles(laid, cards.isEmpty() ? 0 : firstCard + card);
     }
@@ -101,20 +101,22 @@ final class GalleryScene implements TiledScene {
         for (String name : sections.keySet()) {
             Plate at = places.tabs().place(laid.size() - 1);
             Tile.Look look = (canvas, tile, isChosen) -> drawTab(canvas, tile, name, isChosen);
-            laid.add(Tile.at(at, look, () -> turnTo(name, 0)));
+            laid.add(Tile.at(at, titles.section(name), look, () -> turnTo(name, 0)));
         }
     }
 
     private Tile card(Found found, int place) {
         return Tile.at(
                 places.cards().place(place),
+                titles.title(found) + ": " + titles.about(found),
                 (canvas, tile, isChosen) -> drawCard(canvas, tile, found, isChosen),
                 () -> open(found));
     }
 
-    private Tile pager(Plate at, String sign, int direction) {
+    private Tile pager(int place, String key, String sign, int direction) {
         return Tile.at(
-                at,
+                places.pagers().place(place),
+                words.of(key),
                 (canvas, tile, isChosen) -> Print.button(canvas, tile, sign, isChosen),
                 () -> turn(direction));
     }
@@ -196,10 +198,6 @@ final class GalleryScene implements TiledScene {
         String fitting = Lines.shortened(canvas, foot, 17, Canvas.Font.WORDS, plate.width() - 24);
         double middle = plate.y() + plate.height() / 2;
         Print.centred(canvas, fitting, WIDTH / 2.0, middle, 17, Color.TEXT);
-    }
-
-    private void drawBack(Canvas canvas, Tile tile, boolean isChosen) {
-        Print.button(canvas, tile, "‹  " + words.of("menu.back"), isChosen);
     }
 
     private void drawTab(Canvas canvas, Tile tile, String name, boolean isChosen) {

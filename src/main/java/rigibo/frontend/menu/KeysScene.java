@@ -6,6 +6,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.KeyBindings;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
@@ -72,6 +73,7 @@ public final class KeysScene implements Scene {
             laid.add(
                     Tile.at(
                             grid.place(laid.size()),
+                            name(action) + ": " + words().of(bindings().of(action)),
                             (canvas, tile, isChosen) -> drawKey(canvas, tile, action, isChosen),
                             () -> ask(action)));
         }
@@ -79,10 +81,7 @@ public final class KeysScene implements Scene {
     }
 
     private Tile button(String key, Plate at, Runnable action) {
-        return Tile.at(
-                at,
-                (canvas, tile, isChosen) -> Print.button(canvas, tile, words().of(key), isChosen),
-                action);
+        return Tile.button(at, words().of(key), action);
     }
 
     private void drawKey(Canvas canvas, Tile tile, Action action, boolean isChosen) {
@@ -119,6 +118,7 @@ public final class KeysScene implements Scene {
 
     private void choose(KeyBindings keys) {
         director.settings(director.settings().withKeys(keys));
+        layOut(tiles.chosen());
     }
 
     private void ask(Action action) {
@@ -201,6 +201,12 @@ public final class KeysScene implements Scene {
             drawTold(canvas, 18, LINE);
             drawAlways(canvas, places.told());
         }
+    }
+
+    @Override
+    public void describe(Narrator narrator) {
+        tiles.describe(narrator);
+        narrator.says(told);
     }
 
     private void drawHeading(Canvas canvas, String key, Plate first) {

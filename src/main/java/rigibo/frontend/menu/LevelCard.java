@@ -10,6 +10,9 @@ import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * A level in the list: its picture, number in its world and title, and a medal, perhaps a star, or
  * a lock.
@@ -29,6 +32,17 @@ record LevelCard(LevelList levels, int level, Words words) {
 
     /** Margin around the picture, px. */
     private static final double MARGIN = 10;
+
+    /** What is on it, in words; what opens it is told of the one that is chosen. */
+    String name() {
+        List<String> parts = new ArrayList<>();
+        parts.add(levels.place(level) + 1 + " " + levels.levels().get(level).title().apply(words));
+        levels.medal(level).ifPresent(medal -> parts.add(words.of(StatisticsScene.name(medal))));
+        if (levels.hasStar(level)) {
+            parts.add(words.of("puzzle.short.star"));
+        }
+        return String.join(", ", parts);
+    }
 
     void draw(Canvas canvas, Tile tile, boolean isChosen) {
         double strip = canvas.layout().lettered(STRIP);

@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
@@ -84,8 +85,9 @@ public final class LevelsScene implements Scene {
     /** The tiles: the way back, codes, levels made by chance, the worlds, and a world's levels. */
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
-        laid.add(button(0, this::drawBack, director::showMenu));
-        laid.add(button(1, this::drawPaste, director::paste));
+        Grid buttons = places.buttons();
+        laid.add(Tile.wayBack(buttons.place(0), words.of("menu.back"), director::showMenu));
+        laid.add(Tile.button(buttons.place(1), words.of("menu.paste"), director::paste));
         Grid row = Grid.of(places.made(), Math.max(1, made.size()), GAP);
         for (int i = 0; i < made.size(); i++) {
             laid.add(made(made.get(i), row.place(i)));
@@ -95,20 +97,27 @@ public final class LevelsScene implements Scene {
         }
         levels.of(world).forEach(level -> laid.add(card(level)));
         tiles = new Tiles(laid, chosen);
-        watch = Tile.at(places.watch(), this::drawWatch, this::watch);
+        watch =
+                Tile.at(
+                        places.watch(),
+                        words.of("replay.watch-best"),
+                        this::drawWatch,
+                        this::watch);
     }
 
     private Tile tab(int number) {
         WorldTab tab = new WorldTab(levels, number, words);
         return Tile.at(
                 places.tabs().place(number - 1),
+                words.of("world." + number),
                 (canvas, tile, isChosen) -> tab.draw(canvas, tile, isChosen, number == world),
                 () -> turnTo(number));
     }
 
     private Tile card(int level) {
         LevelCard card = new LevelCard(levels, level, words);
-        return Tile.at(places.cards().place(levels.place(level)), card::draw, () -> open(level));
+        Plate place = places.cards().place(levels.place(level));
+        return Tile.at(place, card.name(), card::draw, () -> open(level));
     }
 
     /** Shows the levels of a world, with its tab chosen. */
@@ -120,23 +129,7 @@ public final class LevelsScene implements Scene {
     }
 
     private Tile made(SceneEntry entry, Plate place) {
-        String name = entry.title().apply(words);
-        return Tile.at(
-                place,
-                (canvas, tile, isChosen) -> Print.button(canvas, tile, name, isChosen),
-                () -> open(entry));
-    }
-
-    private Tile button(int column, Tile.Look look, Runnable action) {
-        return Tile.at(places.buttons().place(column), look, action);
-    }
-
-    private void drawBack(Canvas canvas, Tile tile, boolean isChosen) {
-        Print.button(canvas, tile, "‹  " + words.of("menu.back"), isChosen);
-    }
-
-    private void drawPaste(Canvas canvas, Tile tile, boolean isChosen) {
-        Print.button(canvas, tile, words.of("menu.paste"), isChosen);
+        return Tile.button(place, entry.title().apply(words), () -> open(entry));
     }
 
     private void open(int level) {
@@ -200,6 +193,16 @@ public final class LevelsScene implements Scene {
                     .draw(canvas, plate.x(), plate.y(), plate.width(), plate.height());
         }
         drawFoot(canvas);
+    }
+
+    @Override
+    public void describe(Narrator narrator) {
+        tiles.describe(narrator);
+        if (canWatch()) {
+            watch.describe(narrator, false);
+        }
+        narrator.says(about());
+        star().ifPresent(narrator::says);
     }
 
     private void drawCount(Canvas canvas) {

@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
@@ -88,6 +89,7 @@ public final class MenuScene implements Scene {
         String title = place + "   " + next.title().apply(words);
         return Tile.at(
                 places.play(),
+                verb + ": " + title,
                 (canvas, tile, isChosen) -> drawPlay(canvas, tile, verb, title, isChosen),
                 () -> open(next));
     }
@@ -135,11 +137,8 @@ public final class MenuScene implements Scene {
 
     private Tile button(int column, String key, Runnable action) {
         int count = canQuit() ? 4 : 3;
-        return Tile.at(
-                Grid.of(places.row(), count, GAP).place(column),
-                (canvas, tile, isChosen) ->
-                        Print.button(canvas, tile, this.words.of(key), isChosen),
-                pressing(action));
+        Plate place = Grid.of(places.row(), count, GAP).place(column);
+        return Tile.button(place, words.of(key), pressing(action));
     }
 
     private List<Tile> cards(List<SceneEntry> others) {
@@ -148,6 +147,7 @@ public final class MenuScene implements Scene {
             cards.add(
                     Tile.at(
                             places.cards().place(cards.size()),
+                            entry.title().apply(words) + ": " + entry.words().apply(words),
                             (canvas, tile, isChosen) -> drawCard(canvas, tile, entry, isChosen),
                             () -> open(entry)));
         }
@@ -216,6 +216,15 @@ public final class MenuScene implements Scene {
         }
         if (notice.isShown()) {
             notice.draw(canvas);
+        }
+    }
+
+    @Override
+    public void describe(Narrator narrator) {
+        if (notice.isShown()) {
+            notice.describe(narrator);
+        } else {
+            tiles.describe(narrator);
         }
     }
 

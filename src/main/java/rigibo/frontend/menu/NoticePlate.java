@@ -3,8 +3,10 @@ package rigibo.frontend.menu;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
 import java.util.ArrayList;
@@ -40,6 +42,16 @@ final class NoticePlate {
         director.sounds().press();
     }
 
+    private String foot() {
+        return director.words().of("menu.understood");
+    }
+
+    /** Tells of the notices, and of the whole window as the button that it is. */
+    void describe(Narrator narrator) {
+        director.notices().forEach(narrator::says);
+        narrator.offers(new Plate(0, 0, Scene.WIDTH, Scene.HEIGHT).button(foot(), true));
+    }
+
     void draw(Canvas canvas) {
         List<String> lines = new ArrayList<>();
         for (String notice : director.notices()) {
@@ -56,7 +68,6 @@ final class NoticePlate {
             Print.left(canvas, line, LEFT + PADDING, y, SIZE, Color.TEXT);
             y += pitch;
         }
-        String foot = director.words().of("menu.understood");
-        Print.centred(canvas, foot, Scene.WIDTH / 2.0, y + FOOT / 2, SIZE, Color.BRASS);
+        Print.centred(canvas, foot(), Scene.WIDTH / 2.0, y + FOOT / 2, SIZE, Color.BRASS);
     }
 }

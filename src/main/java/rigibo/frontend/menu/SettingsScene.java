@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
@@ -162,6 +163,11 @@ public final class SettingsScene implements Scene {
             Print.centred(canvas, heading, WIDTH / 2.0, y, 48, Color.BRASS);
         }
         panel.draw(canvas);
+    }
+
+    @Override
+    public void describe(Narrator narrator) {
+        panel.describe(narrator);
     }
 
     @Override

@@ -4,6 +4,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Medal;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
@@ -15,6 +16,7 @@ import rigibo.frontend.scene.widget.TiledScene;
 import rigibo.frontend.scene.widget.Tiles;
 
 import java.time.LocalDate;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 
@@ -34,6 +36,14 @@ final class StatisticsScene implements TiledScene {
 
     private static final int MINUTE = 60;
     private static final int HOUR = 60 * MINUTE;
+
+    /**
+     * A number.
+     *
+     * @param value as it is shown
+     * @param key of what it counts
+     */
+    private record Figure(String value, String key) {}
 
     private final Director director;
     private final Words words;
@@ -59,9 +69,8 @@ final class StatisticsScene implements TiledScene {
     }
 
     private void layOut() {
-        String back = "‹  " + words.of("menu.back");
-        Tile.Look look = (canvas, tile, isChosen) -> Print.button(canvas, tile, back, isChosen);
-        tiles = new Tiles(List.of(Tile.at(places.back(), look, this::leave)), 0);
+        Tile back = Tile.wayBack(places.back(), words.of("menu.back"), this::leave);
+        tiles = new Tiles(List.of(back), 0);
     }
 
     private void leave() {
@@ -109,6 +118,30 @@ final class StatisticsScene implements TiledScene {
         drawEndless(canvas);
     }
 
+    /** Says every number that is drawn. */
+    @Override
+    public void describe(Narrator narrator) {
+        TiledScene.super.describe(narrator);
+        narrator.says(solved());
+        List<Figure> figures = new ArrayList<>();
+        for (Medal medal : Medal.values()) {
+            figures.add(of(medal));
+        }
+        figures.add(ofStars());
+        figures.addAll(ofPlay());
+        figures.addAll(ofDays(new TreeSet<>(progress.days().keySet())));
+        figures.forEach(it -> narrator.says(words.of(it.key) + ": " + it.value));
+        narrator.says(words.of("scene.endless") + ": " + endless());
+    }
+
+    private String solved() {
+        return words.of("menu.solved", levels.solved(), levels.levels().size());
+    }
+
+    private String endless() {
+        return words.of("made.endless.results", progress.endless());
+    }
+
     private void panel(Canvas canvas, Plate at, String key) {
         canvas.panel(at.x(), at.y(), at.width(), at.height(), 16, Color.PANEL);
         Print.left(canvas, words.of(key), at.x() + INSET, at.y() + 28, 20, Color.BRASS);
@@ -118,8 +151,7 @@ final class StatisticsScene implements TiledScene {
         Plate at = places.levels();
         panel(canvas, at, "menu.levels");
         int count = levels.levels().size();
-        String solved = words.of("menu.solved", levels.solved(), count);
-        Print.right(canvas, solved, at.right() - INSET, at.y() + 28, 20, Color.TEXT);
+        Print.right(canvas, solved(), at.right() - INSET, at.y() + 28, 20, Color.TEXT);
         double share = count == 0 ? 0 : levels.solved() / (double) count;
         double bar = at.y() + 52;
         double left = at.x() + INSET;
@@ -134,21 +166,23 @@ final class StatisticsScene implements TiledScene {
             canvas.disc(x, y, 22, medal.color());
             canvas.ring(x, y, 17, 2, 1, Color.DUSK_TOP.alpha(0.5));
             number(canvas, String.valueOf(medal.ordinal() + 1), x, y, 20, Color.DUSK_TOP);
-            figure(
-                    canvas,
-                    at.width() / 4,
-                    x,
-                    y + 52,
-                    String.valueOf(levels.medals(medal)),
-                    name(medal));
+            figure(canvas, at.width() / 4, x, y + 52, of(medal));
         }
         double x = column(at, 3, 4);
         Sign.star(canvas, x, y + 1, 25, Color.BRASS);
-        String stars = levels.found() + " / " + levels.hidden();
-        figure(canvas, at.width() / 4, x, y + 52, stars, "statistics.stars");
+        figure(canvas, at.width() / 4, x, y + 52, ofStars());
     }
 
-    private static String name(Medal medal) {
+    private Figure of(Medal medal) {
+        return new Figure(String.valueOf(levels.medals(medal)), name(medal));
+    }
+
+    private Figure ofStars() {
+        return new Figure(levels.found() + " / " + levels.hidden(), "statistics.stars");
+    }
+
+    /** The key of a medal's name. */
+    static String name(Medal medal) {
         return switch (medal) {
             case GOLD -> "statistics.gold";
             case SILVER -> "statistics.silver";
@@ -162,19 +196,20 @@ final class StatisticsScene implements TiledScene {
     }
 
     /** Three numbers side by side in a panel. */
-    private void figures(Canvas canvas, Plate panel, List<String> values, List<String> keys) {
-        for (int i = 0; i < values.size(); i++) {
-            double x = column(panel, i, values.size());
-            double room = panel.width() / values.size();
-            figure(canvas, room, x, panel.y() + 74, values.get(i), keys.get(i));
+    private void figures(Canvas canvas, Plate panel, List<Figure> figures) {
+        for (int i = 0; i < figures.size(); i++) {
+            double x = column(panel, i, figures.size());
+            double room = panel.width() / figures.size();
+            figure(canvas, room, x, panel.y() + 74, figures.get(i));
         }
     }
 
     /** A number with what it counts below, in a column so wide. */
-    private void figure(Canvas canvas, double room, double x, double y, String value, String key) {
-        double width = canvas.textWidth(value, VALUE, Canvas.Font.NUMBERS);
-        number(canvas, value, x, y, VALUE * Math.min(1, MOST_VALUE * room / width), Color.TEXT);
-        Print.centred(canvas, words.of(key), x, y + 30, 16, Color.TEXT_DIM);
+    private void figure(Canvas canvas, double room, double x, double y, Figure figure) {
+        double width = canvas.textWidth(figure.value, VALUE, Canvas.Font.NUMBERS);
+        double size = VALUE * Math.min(1, MOST_VALUE * room / width);
+        number(canvas, figure.value, x, y, size, Color.TEXT);
+        Print.centred(canvas, words.of(figure.key), x, y + 30, 16, Color.TEXT_DIM);
     }
 
     private static void number(
@@ -189,14 +224,14 @@ final class StatisticsScene implements TiledScene {
             String since = words.of("statistics.since");
             Print.right(canvas, since, at.right() - INSET, at.y() + 28, 16, Color.TEXT_DIM);
         }
-        figures(
-                canvas,
-                at,
-                List.of(
-                        whole(progress.totals().tries()),
-                        whole(progress.totals().clicks()),
-                        time()),
-                List.of("statistics.tries", "statistics.clicks", "statistics.time"));
+        figures(canvas, at, ofPlay());
+    }
+
+    private List<Figure> ofPlay() {
+        return List.of(
+                new Figure(whole(progress.totals().tries()), "statistics.tries"),
+                new Figure(whole(progress.totals().clicks()), "statistics.clicks"),
+                new Figure(time(), "statistics.time"));
     }
 
     private String whole(int value) {
@@ -214,16 +249,19 @@ final class StatisticsScene implements TiledScene {
         Plate at = places.days();
         panel(canvas, at, "scene.daily");
         TreeSet<LocalDate> days = new TreeSet<>(progress.days().keySet());
-        Streak streak = Streak.of(days, today);
-        figures(
-                canvas,
-                at,
-                List.of(whole(days.size()), whole(streak.present()), whole(streak.longest())),
-                List.of("statistics.days", "statistics.streak", "statistics.longest"));
+        figures(canvas, at, ofDays(days));
         for (int i = 0; i < DAYS; i++) {
             double x = at.x() + INSET + (at.width() - 2 * INSET) * (i + 0.5) / DAYS;
             drawDay(canvas, x, at.y() + 160, days, today.minusDays(DAYS - 1L - i));
         }
+    }
+
+    private List<Figure> ofDays(TreeSet<LocalDate> days) {
+        Streak streak = Streak.of(days, today);
+        return List.of(
+                new Figure(whole(days.size()), "statistics.days"),
+                new Figure(whole(streak.present()), "statistics.streak"),
+                new Figure(whole(streak.longest()), "statistics.longest"));
     }
 
     /** A day of the last ones: a tick where it was solved; today has a ring of brass. */
@@ -243,8 +281,7 @@ final class StatisticsScene implements TiledScene {
     private void drawEndless(Canvas canvas) {
         Plate at = places.endless();
         panel(canvas, at, "scene.endless");
-        String next = words.of("made.endless.results", progress.endless());
-        Print.right(canvas, next, at.right() - INSET, at.y() + 28, 18, Color.TEXT);
+        Print.right(canvas, endless(), at.right() - INSET, at.y() + 28, 18, Color.TEXT);
     }
 
     @Override

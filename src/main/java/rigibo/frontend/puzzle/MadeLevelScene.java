@@ -9,6 +9,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Plate;
@@ -88,24 +89,19 @@ final class MadeLevelScene implements TiledScene {
         laid.add(wayBack(director, places));
         int count = occasion.next().isPresent() ? 2 : 1;
         if (making.made().isPresent()) {
-            laid.add(tile(places.button(0, count), words.of("menu.play"), this::play));
+            laid.add(Tile.button(places.button(0, count), words.of("menu.play"), this::play));
         }
         Plate right = places.button(1, 2);
         occasion.next()
-                .map(next -> tile(right, words.of("made.other"), () -> other(next)))
+                .map(next -> Tile.button(right, words.of("made.other"), () -> other(next)))
                 .ifPresent(laid::add);
         tiles = new Tiles(laid, Math.min(chosen, laid.size() - 1));
     }
 
     /** The tile that leads back to the list of levels. */
     static Tile wayBack(Director director, MadePlaces places) {
-        String name = "‹  " + director.words().of("menu.levels");
-        return tile(places.back(), name, director::showLevels);
-    }
-
-    private static Tile tile(Plate place, String name, Runnable action) {
-        Tile.Look look = (canvas, tile, isChosen) -> Print.button(canvas, tile, name, isChosen);
-        return Tile.at(place, look, action);
+        return Tile.wayBack(
+                places.back(), director.words().of("menu.levels"), director::showLevels);
     }
 
     private void play() {
@@ -161,6 +157,14 @@ final class MadeLevelScene implements TiledScene {
         picture.ifPresentOrElse(level -> drawPicture(canvas, level), () -> drawNote(canvas));
         tiles.draw(canvas);
         drawResults(canvas);
+    }
+
+    @Override
+    public void describe(Narrator narrator) {
+        TiledScene.super.describe(narrator);
+        if (picture.isEmpty()) {
+            MakingNote.describe(narrator, words, making);
+        }
     }
 
     private void fit(Layout layout) {

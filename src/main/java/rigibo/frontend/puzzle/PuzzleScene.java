@@ -21,6 +21,7 @@ import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Modifier;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
@@ -156,6 +157,11 @@ public final class PuzzleScene implements Scene {
         lesson.draw(canvas, session, view.camera(), motion());
         panels.draw(canvas, table.refusal(), offered(), motion());
         table.drawPointer(canvas, motion());
+    }
+
+    @Override
+    public void describe(Narrator narrator) {
+        panels.describe(narrator, table.refusal());
     }
 
     /** The commands that are there at times. */

@@ -43,8 +43,16 @@ public final class SavedPlayer implements Player, AutoCloseable {
      * @param systemLanguage of the player's system, for the first start, as ISO 639 names it
      */
     public SavedPlayer(Places places, String systemLanguage) {
+        this(places, Settings.initial(systemLanguage));
+    }
+
+    /**
+     * Reads what is there, as the other constructor does.
+     *
+     * @param initial settings that the player has not chosen
+     */
+    public SavedPlayer(Places places, Settings initial) {
         Leftovers.sweep(places.all());
-        Settings initial = Settings.initial(systemLanguage);
         settings = new Kept<>(places.settingsFile(), new SettingsFormat(initial));
         progress = new Kept<>(places.progressFile(), new ProgressFormat());
         replays = places.replays();

@@ -54,6 +54,9 @@ public interface Scene {
     /** Draws everything. */
     void draw(Canvas canvas);
 
+    /** Tells in words what was last drawn: all that can be used, and what has happened. */
+    default void describe(Narrator narrator) {}
+
     /** A frame was drawn and took this long, ns, all that OpenGL had to do for it included. */
     default void drawn(long nanos) {}
 

@@ -67,6 +67,18 @@ class SavedPlayerTest {
     }
 
     @Test
+    void startsAsCalmAsTheSystemIsUntilThePlayerChooses() {
+        Settings calm = Settings.initial("en").withMotion(Settings.Motion.REDUCED);
+        try (SavedPlayer player = new SavedPlayer(Places.in(folder), calm)) {
+            assertThat(player.settings().motion()).isEqualTo(Settings.Motion.REDUCED);
+            player.settings(player.settings().withMotion(Settings.Motion.FULL));
+        }
+        try (SavedPlayer player = new SavedPlayer(Places.in(folder), calm)) {
+            assertThat(player.settings().motion()).isEqualTo(Settings.Motion.FULL);
+        }
+    }
+
+    @Test
     void startsInTheSystemsLanguageWithoutAWord() throws IOException {
         try (SavedPlayer player = start()) {
             assertThat(player.settings()).isEqualTo(Settings.initial("de"));

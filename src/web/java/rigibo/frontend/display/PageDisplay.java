@@ -5,12 +5,14 @@ import org.teavm.jso.JSFunctor;
 import org.teavm.jso.JSObject;
 import org.teavm.jso.browser.Window;
 
+import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Player;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Sounds;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.sound.Speaker;
 
 import java.io.IOException;
@@ -41,6 +43,7 @@ public final class PageDisplay implements Director {
     private final Speaker speaker = new Speaker();
     private final PageSurface surface = new PageSurface();
     private final PageInput input = new PageInput(surface, this);
+    private final Mirror mirror = new Mirror(surface.canvas(), input);
     private BiFunction<Director, String, Optional<Scene>> decoder =
             (director, text) -> Optional.empty();
     private BiFunction<Director, List<Path>, Scene> opener;
@@ -99,6 +102,15 @@ public final class PageDisplay implements Director {
         double dark = wanted == null ? curtain.rise() : Curtain.fallen(fallen);
         scene.drawn(surface.draw(scene, settings(), toast, dark));
         scene.paced(clock.pace());
+        if (wanted == null) {
+            mirror.drawn(scene, surface.layout(), beside());
+        }
+    }
+
+    /** What the page itself offers beside the scene. */
+    private List<Control> beside() {
+        Plate back = surface.wayBack();
+        return back == Plate.NONE ? List.of() : List.of(back.button(words.of("menu.back"), false));
     }
 
     /** Lets the curtain fall on; whether nothing is seen any more of the scene. */
@@ -119,6 +131,8 @@ public final class PageDisplay implements Director {
         }
         clock.restart();
         title(scene.title());
+        language(settings().language());
+        mirror.begins(scene.title());
     }
 
     /** Whether another scene was chosen already, so that nobody means this one any more. */
@@ -170,6 +184,7 @@ public final class PageDisplay implements Director {
         player.settings(changed);
         speaker.settings(changed);
         words = new Words(changed);
+        language(changed.language());
     }
 
     void toggleFullScreen() {
@@ -178,7 +193,7 @@ public final class PageDisplay implements Director {
 
     void toggleMute() {
         settings(settings().withMuted(!settings().isMuted()));
-        toast.say(words.of(settings().isMuted() ? "toast.muted" : "toast.sounding"));
+        say(words.of(settings().isMuted() ? "toast.muted" : "toast.sounding"));
     }
 
     @Override
@@ -194,6 +209,7 @@ public final class PageDisplay implements Director {
     @Override
     public void say(String told) {
         toast.say(told);
+        mirror.tell(told);
     }
 
     /** The browser keeps no more of what the player does. */
@@ -204,7 +220,7 @@ public final class PageDisplay implements Director {
     @Override
     public void copy(String text) {
         copyToClipboard(text);
-        toast.say(words.of("toast.copied", text.length()));
+        say(words.of("toast.copied", text.length()));
     }
 
     /** Files of the page are in the browser's storage. */
@@ -226,7 +242,7 @@ public final class PageDisplay implements Director {
     void pasted(String text) {
         if (!scene.pasted(text)) {
             decoder.apply(this, text)
-                    .ifPresentOrElse(this::show, () -> toast.say(words.of("toast.no-code")));
+                    .ifPresentOrElse(this::show, () -> say(words.of("toast.no-code")));
         }
     }
 
@@ -252,6 +268,10 @@ public final class PageDisplay implements Director {
 
     @JSBody(params = "title", script = "document.title = title;")
     private static native void title(String title);
+
+    /** By this, screen readers pronounce what is said. */
+    @JSBody(params = "tag", script = "document.documentElement.lang = tag;")
+    private static native void language(String tag);
 
     /** Takes a text from the browser. */
     @JSFunctor

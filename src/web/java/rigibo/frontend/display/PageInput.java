@@ -12,6 +12,7 @@ import org.teavm.jso.dom.events.KeyboardEvent;
 import org.teavm.jso.dom.events.MouseEvent;
 import org.teavm.jso.dom.events.WheelEvent;
 
+import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Scene;
 
 /**
@@ -86,6 +87,29 @@ final class PageInput {
                         () -> {},
                         () -> display.settings().keys());
         finger = new Finger(input, () -> touched);
+    }
+
+    /** Points at a control. */
+    void point(Control control) {
+        point(control, control.share());
+    }
+
+    /** Presses a control at a share of its width. */
+    void use(Control control, double share) {
+        if (point(control, share)) {
+            input.mouseButton(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
+            input.mouseButton(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
+        }
+    }
+
+    private boolean point(Control control, double share) {
+        boolean isMeant = input != null && !display.isLeaving();
+        if (isMeant) {
+            look();
+            double x = control.x() + share * control.width();
+            input.point(x, control.y() + control.height() / 2);
+        }
+        return isMeant;
     }
 
     private void moved(Event event) {
@@ -179,6 +203,10 @@ final class PageInput {
         KeyboardEvent key = (KeyboardEvent) event;
         if (input != null) {
             int code = PageKeys.code(key.getCode(), key.getKey());
+            // Firefox clicks what has the focus when the space bar goes up.
+            if (PageKeys.isOurs(code, key)) {
+                event.preventDefault();
+            }
             input.modifiers(
                     held(key.isShiftKey(), key.isCtrlKey(), key.isMetaKey()), code, GLFW_RELEASE);
         }

@@ -85,26 +85,35 @@ final class PhoneCheck {
                 solved++;
             }
         }
+        ReaderCheck reader = new ReaderCheck(page);
+        boolean isRead = reader.isVerdictSaid() && reader.isMenuRead(address);
         boolean isMade = AsideCheck.isMade(page);
         List<String> outside = page.requests().stream().filter(asked -> !isInside(asked)).toList();
         page.complaints().forEach(System.out::println);
         outside.forEach(asked -> System.out.println("asked for " + asked));
         System.out.printf("%d of %d levels were solved by touch%n", solved, files.size());
-        return isMade && solved == files.size() && outside.isEmpty() && page.complaints().isEmpty();
+        return isRead
+                && isMade
+                && solved == files.size()
+                && outside.isEmpty()
+                && page.complaints().isEmpty();
     }
 
     private boolean isInside(String asked) {
         return asked.startsWith(address) || asked.startsWith("about:");
     }
 
+    /** Opens an address, and draws the first picture. */
+    static void open(DevTools page, String address) throws IOException, InterruptedException {
+        page.send("Page.navigate", "\"url\":\"" + address + "\"");
+        await(page, "window.isReady && window.isReady() ? 1 : 0");
+        page.value("window.begin()");
+    }
+
     /** Opens a level and plays it as its solution says; whether the page kept it as solved. */
     private boolean isSolved(Level level) throws IOException, InterruptedException {
         // A new query loads the page anew; another hash alone does not.
-        page.send(
-                "Page.navigate",
-                "\"url\":\"" + address + "?" + level.id() + "#" + level.id() + "\"");
-        await("window.isReady && window.isReady() ? 1 : 0");
-        page.value("window.begin()");
+        open(page, address + "?" + level.id() + "#" + level.id());
         Recording run = Recording.of(level, level.solutions().get(0), Accuracy.GAME, MOST_STEPS);
         Playback here = new Playback(level, run.replay());
         // The picture that begins makes the first step.
@@ -172,7 +181,8 @@ final class PhoneCheck {
         return false;
     }
 
-    private void await(String script) throws IOException, InterruptedException {
+    private static void await(DevTools page, String script)
+            throws IOException, InterruptedException {
         for (int tries = 0; !page.value(script).equals("1"); tries++) {
             if (tries == 600) {
                 throw new IOException("the page does not begin: " + page.complaints());

@@ -12,6 +12,7 @@ import rigibo.frontend.save.SavedPlayer;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Settings;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -40,7 +41,7 @@ public final class GamePage {
         Brought.unpackTo(HOME);
         List<PageDisplay> display = new ArrayList<>();
         Keeping keeping = new Keeping(PLAYER, () -> display.forEach(PageDisplay::notKept));
-        SavedPlayer player = new SavedPlayer(Places.in(PLAYER), language());
+        SavedPlayer player = new SavedPlayer(Places.in(PLAYER), initial());
         display.add(new PageDisplay(Catalog::menu, Catalog::levels, player));
         display.get(0).opensCodesBy(Catalog::pasted);
         display.get(0).opensFilesBy(Catalog::dropped);
@@ -63,6 +64,16 @@ public final class GamePage {
         String name = Window.current().getLocation().getHash().replace("#", "");
         return Catalog.find(name).map(SceneEntry::open);
     }
+
+    /** What the browser knows of a player who has chosen nothing yet. */
+    private static Settings initial() {
+        Settings initial = Settings.initial(language());
+        return isCalm() ? initial.withMotion(Settings.Motion.REDUCED) : initial;
+    }
+
+    /** Whether the player's system is told to move little. */
+    @JSBody(script = "return matchMedia('(prefers-reduced-motion: reduce)').matches;")
+    private static native boolean isCalm();
 
     @JSBody(script = "return navigator.language.substring(0, 2);")
     private static native String language();

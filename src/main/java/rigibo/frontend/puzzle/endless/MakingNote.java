@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle.endless;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
@@ -21,6 +22,11 @@ public final class MakingNote {
     private static final double EFFORT = 54;
 
     private MakingNote() {}
+
+    /** Says whether a level is being made, and not how far that is, which changes all the time. */
+    public static void describe(Narrator narrator, Words words, Making making) {
+        narrator.says(words.of(making.isHopeless() ? "made.none" : "made.making"));
+    }
 
     /**
      * Draws it.

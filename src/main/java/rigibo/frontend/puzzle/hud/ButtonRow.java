@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.hud;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Lines;
@@ -44,6 +45,13 @@ final class ButtonRow {
             double middle = at.y() + at.height() / 2;
             Print.centred(
                     canvas, label(canvas, words, i), at.x() + at.width() / 2, middle, SIZE, ink);
+        }
+    }
+
+    /** Tells of the buttons. */
+    void describe(Narrator narrator, Words words) {
+        for (int i = 0; i < commands.size(); i++) {
+            narrator.offers(grid.place(i).button(commands.get(i).shortWords(words), i == chosen));
         }
     }
 

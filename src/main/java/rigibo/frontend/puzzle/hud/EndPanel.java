@@ -7,6 +7,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Medal;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
@@ -153,7 +154,7 @@ final class EndPanel {
         Color edge = game.isSolved() ? Color.GOOD : isWon ? Color.BRASS : Color.BAD;
         canvas.panel(LEFT, top, WIDTH, height, 18, Color.PANEL);
         canvas.frame(LEFT, top, WIDTH, height, 18, edge);
-        drawHeadline(canvas, words.of(isWon ? "puzzle.won" : "puzzle.lost"), edge, isWon);
+        drawHeadline(canvas, headline(words), edge, isWon);
         if (stamps.isPresent()) {
             drawPrizes(canvas, words, stamps.get(), motion);
         } else {
@@ -163,6 +164,21 @@ final class EndPanel {
             }
         }
         buttons.draw(canvas, words);
+    }
+
+    private String headline(Words words) {
+        return words.of(game.outcome() == Outcome.WON ? "puzzle.won" : "puzzle.lost");
+    }
+
+    /** Says how it ended and what it earned, and tells of what can be done next. */
+    void describe(Narrator narrator, Words words) {
+        narrator.says(headline(words));
+        narrator.says(stamps.map(it -> it.told(words)).orElseGet(() -> words.of(reason())));
+        star.ifPresent(it -> narrator.says(it.told(words)));
+        if (isTimed()) {
+            narrator.says(words.of("puzzle.short.pause"));
+        }
+        buttons.describe(narrator, words);
     }
 
     private void drawTip(Canvas canvas, Words words) {

@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle.hud;
 import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Grid;
@@ -112,6 +113,14 @@ final class HintPlate {
         }
         if (hasSolution) {
             buttons.draw(canvas, words);
+        }
+    }
+
+    /** Says the hint, and tells of its button. */
+    void describe(Narrator narrator, Words words) {
+        narrator.says(hint);
+        if (hasSolution) {
+            buttons.describe(narrator, words);
         }
     }
 

@@ -12,6 +12,7 @@ import rigibo.frontend.puzzle.show.Refusal;
 import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
@@ -107,7 +108,7 @@ final class Hud {
         canvas.line(LEFT - 6, MIDDLE + 9, LEFT + 8, MIDDLE, 3, Color.BRASS);
         canvas.line(LEFT - 6, MIDDLE - 9, LEFT - 6, MIDDLE + 9, 3, Color.BRASS);
         buttons.draw(canvas, words);
-        String what = words.of("puzzle.show." + key(session.hand()));
+        String what = shown(words, session);
         drawBetween(canvas, what, BUTTONS_LEFT + BUTTON_WIDTH + GAP, right);
     }
 
@@ -122,7 +123,7 @@ final class Hud {
         inHand = bar;
         Optional<String> said =
                 session.isShowing()
-                        ? Optional.of(words.of("puzzle.show." + key(session.hand())))
+                        ? Optional.of(shown(words, session))
                         : state(words, session, refusal);
         handBar.draw(canvas, bar, words, session.game(), said, refusal, motion);
     }
@@ -175,11 +176,29 @@ final class Hud {
 
     /** The state of the game; of several messages only the most urgent one. */
     private Optional<String> state(Words words, Session session, Refusal refusal) {
-        Optional<String> refused =
-                refusal.reason().map(why -> words.of("puzzle.refused." + key(why)));
-        return refused.or(() -> late(words))
-                .or(() -> lesson.words(session.game()).map(words::of))
-                .or(() -> keyOfState(session).map(words::of));
+        return refused(words, refusal).or(() -> late(words)).or(() -> calm(words, session));
+    }
+
+    /** What is neither a refusal nor about the machine. */
+    private Optional<String> calm(Words words, Session session) {
+        return lesson.words(session.game()).or(() -> keyOfState(session)).map(words::of);
+    }
+
+    private static Optional<String> refused(Words words, Refusal refusal) {
+        return refusal.reason().map(why -> words.of("puzzle.refused." + key(why)));
+    }
+
+    private static String shown(Words words, Session session) {
+        return words.of("puzzle.show." + key(session.hand()));
+    }
+
+    /** Says the state of the game, or what is shown; how late the machine is changes too often. */
+    void describe(Narrator narrator, Words words, Session session, Refusal refusal) {
+        if (session.isShowing()) {
+            narrator.says(shown(words, session));
+        } else {
+            refused(words, refusal).or(() -> calm(words, session)).ifPresent(narrator::says);
+        }
     }
 
     private Optional<String> late(Words words) {

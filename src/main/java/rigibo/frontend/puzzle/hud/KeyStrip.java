@@ -3,6 +3,7 @@ package rigibo.frontend.puzzle.hud;
 import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Grid;
@@ -62,6 +63,13 @@ final class KeyStrip {
                             at.width() - PADDING);
             double middle = at.y() + at.height() / 2;
             Print.centred(canvas, label, at.x() + at.width() / 2, middle, SIZE, ink);
+        }
+    }
+
+    /** Tells of the commands that were last drawn, without their keys. */
+    void describe(Narrator narrator, Words words) {
+        for (Place place : places) {
+            narrator.offers(place.plate.button(place.command.shortWords(words), false));
         }
     }
 

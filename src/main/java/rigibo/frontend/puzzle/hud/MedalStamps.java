@@ -39,6 +39,15 @@ final class MedalStamps {
         this.par = par;
     }
 
+    /** What was earned. */
+    String told(Words words) {
+        return told(words, "puzzle.medal.", earned);
+    }
+
+    private String told(Words words, String kind, Medal medal) {
+        return words.of(kind + Command.key(medal), par, par + 1);
+    }
+
     /** After each frame. */
     void turn() {
         turns++;
@@ -57,7 +66,7 @@ final class MedalStamps {
                 draw(canvas, medal, column, y, RADIUS * scale(age, motion));
             }
             String kind = canvas.layout().isInHand() ? "puzzle.short." : "puzzle.medal.";
-            String what = words.of(kind + Command.key(medal), par, par + 1);
+            String what = told(words, kind, medal);
             Color ink = isStamped ? Color.TEXT : Color.TEXT_DIM;
             canvas.text(
                     what, column, y + WORDS_BELOW, 16, Canvas.Font.WORDS, Canvas.Align.CENTRE, ink);

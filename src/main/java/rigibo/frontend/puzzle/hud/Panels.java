@@ -10,6 +10,7 @@ import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
@@ -233,6 +234,20 @@ public final class Panels {
         keys.drawInHand(canvas, words, commands, lit(), places.keys());
         end().ifPresent(panel -> panel.draw(canvas, words, motion));
         hud.drawHelp(canvas, words);
+    }
+
+    /** Tells of all buttons, and of what happens in the game. */
+    public void describe(Narrator narrator, Refusal refusal) {
+        if (end().isEmpty()) {
+            buttons().ifPresent(row -> row.describe(narrator, words));
+        }
+        end().ifPresent(panel -> panel.describe(narrator, words));
+        if (open == Drawer.HINT) {
+            hint.describe(narrator, words);
+        }
+        keys.describe(narrator, words);
+        hud.describe(narrator, words, session, refusal);
+        session.verdict().ifPresent(said -> narrator.says(said.in(words)));
     }
 
     private void drawDrawer(Canvas canvas) {

@@ -44,6 +44,11 @@ final class StarStamp {
         return isEarnedNow ? turns >= DUE : isFound;
     }
 
+    /** What it took if it is found, seen yet or not. */
+    String told(Words words) {
+        return isEarnedNow || isFound ? text : words.of("puzzle.star.hidden");
+    }
+
     /** Draws it about a place, px. */
     void draw(Canvas canvas, Words words, double x, double y, Motion motion) {
         if (isSeen()) {

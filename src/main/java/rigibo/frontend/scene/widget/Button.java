@@ -2,6 +2,7 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Narrator;
 
 /**
  * A button that does something once.
@@ -23,6 +24,11 @@ public record Button(String words, Runnable action) implements Widget {
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,
                 Color.TEXT);
+    }
+
+    @Override
+    public void describe(Narrator narrator, Plate place, boolean isHot) {
+        narrator.offers(place.button(words, isHot));
     }
 
     @Override

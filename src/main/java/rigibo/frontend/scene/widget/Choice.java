@@ -2,6 +2,8 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.Narrator;
 
 import java.util.List;
 import java.util.function.IntConsumer;
@@ -50,6 +52,13 @@ public record Choice(String words, List<String> options, IntSupplier value, IntC
     private static void arrow(Canvas canvas, double x, double y, int direction) {
         canvas.line(x - 3 * direction, y - 6, x + 3 * direction, y, 2, Color.BRASS);
         canvas.line(x + 3 * direction, y, x - 3 * direction, y + 6, 2, Color.BRASS);
+    }
+
+    @Override
+    public void describe(Narrator narrator, Plate place, boolean isHot) {
+        String name = words + ": " + options.get(value.getAsInt());
+        // A press on the right half of its plate goes on.
+        narrator.offers(place.control(name, Control.Kind.BUTTON, (1 + MIDDLE) / 2, isHot));
     }
 
     @Override

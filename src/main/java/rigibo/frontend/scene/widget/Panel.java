@@ -4,6 +4,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Tap;
 
 import java.util.List;
@@ -103,6 +104,13 @@ public final class Panel {
                 canvas.frame(
                         place.x() - 8, place.y() - 1, place.width() + 16, row + 2, 9, Color.BRASS);
             }
+        }
+    }
+
+    /** Tells of its controls, where they were last drawn. */
+    public void describe(Narrator narrator) {
+        for (int i = 0; i < widgets.size(); i++) {
+            widgets.get(i).describe(narrator, place(i), i == hot);
         }
     }
 

@@ -1,5 +1,7 @@
 package rigibo.frontend.scene.widget;
 
+import rigibo.frontend.scene.Control;
+
 /**
  * A rectangle on the screen that something is drawn on, logical px.
  *
@@ -21,6 +23,16 @@ public record Plate(double x, double y, double width, double height) {
     /** Lower edge. */
     public double bottom() {
         return y + height;
+    }
+
+    /** A button that is here, used in its middle. */
+    public Control button(String name, boolean isChosen) {
+        return control(name, Control.Kind.BUTTON, 0.5, isChosen);
+    }
+
+    /** A control that is here, used at a share of the width. */
+    public Control control(String name, Control.Kind kind, double share, boolean isChosen) {
+        return new Control(name, kind, x, y, width, height, share, isChosen);
     }
 
     /** Whether a point lies on it. */

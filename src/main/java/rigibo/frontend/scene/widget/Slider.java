@@ -2,6 +2,8 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Words;
 
 import java.util.function.DoubleConsumer;
@@ -42,7 +44,7 @@ public record Slider(
 
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {
-        double share = (value.getAsDouble() - least) / (most - least);
+        double share = share();
         double row = Widget.row(canvas.layout());
         double middle = y + row * WORDS;
         Color ink = isHot ? Color.TEXT : Color.TEXT_DIM;
@@ -63,6 +65,12 @@ public record Slider(
     }
 
     @Override
+    public void describe(Narrator narrator, Plate place, boolean isHot) {
+        String name = label() + ": " + words.number(format, value.getAsDouble());
+        narrator.offers(place.control(name, Control.Kind.SLIDER, share(), isHot));
+    }
+
+    @Override
     public void press(double share) {
         set(least + share * (most - least));
     }
@@ -75,6 +83,11 @@ public record Slider(
     @Override
     public void nudge(int direction) {
         set(value.getAsDouble() + direction * notch);
+    }
+
+    /** The present value as a share of the way between the bounds. */
+    private double share() {
+        return (value.getAsDouble() - least) / (most - least);
     }
 
     private void set(double wanted) {

@@ -1,6 +1,7 @@
 package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Narrator;
 
 /**
  * An option at a place on the screen.
@@ -9,10 +10,12 @@ import rigibo.frontend.scene.Canvas;
  * @param y upper edge
  * @param width px
  * @param height px
+ * @param name what it is called where it is not seen
  * @param look draws it
  * @param action what choosing it does
  */
-public record Tile(double x, double y, double width, double height, Look look, Runnable action) {
+public record Tile(
+        double x, double y, double width, double height, String name, Look look, Runnable action) {
 
     /** What a tile looks like. */
     public interface Look {
@@ -22,8 +25,26 @@ public record Tile(double x, double y, double width, double height, Look look, R
     }
 
     /** An option at a place. */
-    public static Tile at(Plate place, Look look, Runnable action) {
-        return new Tile(place.x(), place.y(), place.width(), place.height(), look, action);
+    public static Tile at(Plate place, String name, Look look, Runnable action) {
+        return new Tile(place.x(), place.y(), place.width(), place.height(), name, look, action);
+    }
+
+    /** A button with its name on it. */
+    public static Tile button(Plate place, String name, Runnable action) {
+        Look look = (canvas, tile, isChosen) -> Print.button(canvas, tile, name, isChosen);
+        return at(place, name, look, action);
+    }
+
+    /** A button that leads back. */
+    public static Tile wayBack(Plate place, String name, Runnable action) {
+        String words = "‹  " + name;
+        Look look = (canvas, tile, isChosen) -> Print.button(canvas, tile, words, isChosen);
+        return at(place, name, look, action);
+    }
+
+    /** Tells of it, {@code isChosen} under the pointer or by keys. */
+    public void describe(Narrator narrator, boolean isChosen) {
+        narrator.offers(new Plate(x, y, width, height).button(name, isChosen));
     }
 
     /** The middle, px. */

@@ -1,6 +1,7 @@
 package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
@@ -10,6 +11,11 @@ public interface TiledScene extends Scene {
 
     /** Its tiles at present. */
     Tiles tiles();
+
+    @Override
+    default void describe(Narrator narrator) {
+        tiles().describe(narrator);
+    }
 
     @Override
     default void pointerMoved(double x, double y) {

@@ -2,6 +2,7 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 
 import java.util.List;
@@ -28,6 +29,13 @@ public final class Tiles {
     public void draw(Canvas canvas) {
         for (int i = 0; i < tiles.size(); i++) {
             tiles.get(i).draw(canvas, i == chosen);
+        }
+    }
+
+    /** Tells of them all. */
+    public void describe(Narrator narrator) {
+        for (int i = 0; i < tiles.size(); i++) {
+            tiles.get(i).describe(narrator, i == chosen);
         }
     }
 

@@ -2,6 +2,8 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.Narrator;
 
 import java.util.function.BooleanSupplier;
 
@@ -25,6 +27,11 @@ public record Toggle(String words, BooleanSupplier isOn, Runnable flip) implemen
         Color track = on ? Color.GOOD : Color.PANEL_LIT;
         canvas.panel(left, middle - knob, 4 * knob, 2 * knob, knob, track);
         canvas.disc(x + width - (on ? 1 : 3) * knob, middle, 0.7 * knob, Color.TEXT);
+    }
+
+    @Override
+    public void describe(Narrator narrator, Plate place, boolean isHot) {
+        narrator.offers(place.control(words, Control.Kind.of(isOn.getAsBoolean()), 0.5, isHot));
     }
 
     @Override

@@ -2,6 +2,7 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 
 /** A control or readout that takes one row of a {@link Panel}. */
 public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
@@ -21,6 +22,9 @@ public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
 
     /** Draws the row; {@code isHot} under the pointer or chosen by keys. */
     void draw(Canvas canvas, double x, double y, double width, boolean isHot);
+
+    /** Tells of it where it can be used. */
+    default void describe(Narrator narrator, Plate place, boolean isHot) {}
 
     /** The pointer went down, or was dragged, at a share of the width from 0 to 1. */
     void press(double share);

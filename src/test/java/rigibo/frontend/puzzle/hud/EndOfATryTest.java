@@ -18,6 +18,7 @@ import rigibo.frontend.puzzle.replay.ReplayLoader;
 import rigibo.frontend.puzzle.rules.Loss;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.RecordingNarrator;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Words;
 
@@ -62,6 +63,17 @@ class EndOfATryTest {
         assertThat(starred.director.progress().of(level.id(), level.hash()).hasStar()).isTrue();
         starred.keys(Key.R).solve();
         assertThat(starred.texts()).as("found before").contains("Well done.");
+    }
+
+    @Test
+    void theEndIsSaidAndItsButtonsHaveNames() {
+        win();
+        RecordingNarrator told = RecordingNarrator.of(played.scene);
+        assertThat(told.said()).contains("Solved!", "gold: 1 click");
+        RecordingNarrator.press(played.scene, told.control("Next level"));
+        assertThat(played.director.shown).hasSize(1);
+        RecordingNarrator lost = RecordingNarrator.of(lost().scene);
+        assertThat(lost.said()).contains("Lost", "The ball rolled off.");
     }
 
     @Test

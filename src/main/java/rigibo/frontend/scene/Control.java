@@ -1,0 +1,40 @@
+package rigibo.frontend.scene;
+
+/**
+ * What a pointer can use in a window, in words.
+ *
+ * @param name what it is called, with its value if it has one
+ * @param kind what using it does
+ * @param x left edge, logical px
+ * @param y upper edge
+ * @param width px
+ * @param height px
+ * @param share where a pointer uses it, as a share of the width; of a slider also its value
+ * @param isChosen whether it is chosen, by keys or by the pointer
+ */
+public record Control(
+        String name,
+        Kind kind,
+        double x,
+        double y,
+        double width,
+        double height,
+        double share,
+        boolean isChosen) {
+
+    /** What using a control does. */
+    public enum Kind {
+        BUTTON,
+        /** A button whose thing is on, and goes off. */
+        ON,
+        /** A button whose thing is off, and goes on. */
+        OFF,
+        /** Sets a number to the share of the width at which it is used. */
+        SLIDER;
+
+        /** The kind of a button for something that is on or off. */
+        public static Kind of(boolean isOn) {
+            return isOn ? ON : OFF;
+        }
+    }
+}

@@ -1,0 +1,14 @@
+package rigibo.frontend.scene;
+
+/**
+ * Takes in words what a window shows, for players who do not see it; see {@link Scene#describe}. A
+ * page has one, a window on a desktop none.
+ */
+public interface Narrator {
+
+    /** Something can be used at present. */
+    void offers(Control control);
+
+    /** What has happened, or is to be known at present: it is read once, when it is new. */
+    void says(String words);
+}

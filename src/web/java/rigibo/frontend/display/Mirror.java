@@ -1,0 +1,199 @@
+package rigibo.frontend.display;
+
+import org.teavm.jso.JSBody;
+import org.teavm.jso.dom.html.HTMLDocument;
+import org.teavm.jso.dom.html.HTMLElement;
+import org.teavm.jso.dom.html.HTMLInputElement;
+
+import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
+import rigibo.frontend.scene.Scene;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Mirrors what a scene says of itself in the document, for screen readers: its controls as elements
+ * that nobody sees and no pointer meets, at their places, and what happens in a log. To focus a
+ * control is to point at it, to click it is to press there; the choice made by keys has the focus.
+ */
+final class Mirror implements Narrator {
+
+    /** Pictures from one look at the scene to the next: a tenth of a second. */
+    private static final int PERIOD = 6;
+
+    /** Sentences that the log keeps, more than a scene says at once: it is read as it grows. */
+    private static final int KEPT = 20;
+
+    private static final int NONE = -1;
+
+    private final HTMLDocument document = HTMLDocument.current();
+    private final HTMLElement canvas;
+    private final PageInput input;
+    private final HTMLElement place = document.getElementById("controls");
+    private final HTMLElement log = document.getElementById("said");
+    private final List<HTMLElement> elements = new ArrayList<>();
+    private List<Control> shown = List.of();
+    private Layout placed = Layout.ALONE;
+    private List<Control> offered = new ArrayList<>();
+    private Set<String> known = Set.of();
+    private Set<String> said = new LinkedHashSet<>();
+    private int chosen = NONE;
+    private int pictures;
+
+    /** Whether the focus follows the choice, and is not the player's own wish. */
+    private boolean isFollowing;
+
+    /**
+     * A mirror of what a canvas shows.
+     *
+     * @param input takes what is done in it
+     */
+    Mirror(HTMLElement canvas, PageInput input) {
+        this.canvas = canvas;
+        this.input = input;
+    }
+
+    /** Another scene is shown; its title is read. */
+    void begins(String title) {
+        canvas.setAttribute("aria-label", title);
+        known = Set.of();
+        chosen = NONE;
+        pictures = 0;
+        tell(title);
+    }
+
+    /** A picture was drawn of a scene, and of what the page itself offers beside it. */
+    void drawn(Scene scene, Layout layout, List<Control> beside) {
+        if (pictures++ % PERIOD != 0) {
+            return;
+        }
+        offered = new ArrayList<>();
+        said = new LinkedHashSet<>();
+        scene.describe(this);
+        offered.addAll(beside);
+        if (!offered.equals(shown) || !layout.equals(placed)) {
+            shown = offered;
+            placed = layout;
+            arrange(layout);
+        }
+        follow();
+        said.stream().filter(words -> !known.contains(words)).forEach(this::tell);
+        known = said;
+    }
+
+    @Override
+    public void offers(Control control) {
+        offered.add(control);
+    }
+
+    @Override
+    public void says(String words) {
+        said.add(words);
+    }
+
+    /** Has a sentence read. */
+    void tell(String words) {
+        HTMLElement line = document.createElement("p");
+        line.setTextContent(words);
+        log.appendChild(line);
+        while (log.getChildNodes().getLength() > KEPT) {
+            log.removeChild(log.getFirstChild());
+        }
+    }
+
+    private void arrange(Layout layout) {
+        for (int i = 0; i < shown.size(); i++) {
+            element(i, tag(shown.get(i)));
+            describe(elements.get(i), shown.get(i), layout);
+        }
+        while (elements.size() > shown.size()) {
+            place.removeChild(elements.remove(elements.size() - 1));
+        }
+    }
+
+    private static String tag(Control control) {
+        return control.kind() == Control.Kind.SLIDER ? "input" : "button";
+    }
+
+    /** Keeps the element that is there, so that it keeps the focus, if it is of the right kind. */
+    private void element(int number, String tag) {
+        boolean isThere = number < elements.size();
+        if (isThere && elements.get(number).getTagName().equalsIgnoreCase(tag)) {
+            return;
+        }
+        HTMLElement made = document.createElement(tag);
+        made.setAttribute("type", tag.equals("input") ? "range" : "button");
+        made.addEventListener("focus", event -> focused(number));
+        made.addEventListener("click", event -> clicked(number));
+        made.addEventListener("input", event -> slid(number));
+        if (isThere) {
+            place.replaceChild(made, elements.set(number, made));
+        } else {
+            place.appendChild(made);
+            elements.add(made);
+        }
+    }
+
+    private static void describe(HTMLElement element, Control control, Layout layout) {
+        switch (control.kind()) {
+            case BUTTON -> element.removeAttribute("aria-pressed");
+            case ON -> element.setAttribute("aria-pressed", "true");
+            case OFF -> element.setAttribute("aria-pressed", "false");
+            case SLIDER -> {
+                element.setAttribute("step", "any");
+                ((HTMLInputElement) element)
+                        .setValue(String.valueOf(Math.round(100 * control.share())));
+                element.setAttribute("aria-valuetext", control.name());
+            }
+        }
+        element.setAttribute("aria-label", control.name());
+        double ratio = PageSurface.ratio();
+        pixels(element, "left", layout.windowX(control.x()) / ratio);
+        pixels(element, "top", layout.windowY(control.y()) / ratio);
+        pixels(element, "width", layout.ratio() * control.width() / ratio);
+        pixels(element, "height", layout.ratio() * control.height() / ratio);
+    }
+
+    private static void pixels(HTMLElement element, String property, double value) {
+        element.getStyle().setProperty(property, Math.round(value) + "px");
+    }
+
+    /** Gives the focus to what has become the choice. */
+    private void follow() {
+        int now = NONE;
+        for (int i = 0; i < shown.size() && now == NONE; i++) {
+            now = shown.get(i).isChosen() ? i : NONE;
+        }
+        if (now != chosen && now != NONE) {
+            isFollowing = true;
+            focus(elements.get(now));
+            isFollowing = false;
+        }
+        chosen = now;
+    }
+
+    private void focused(int number) {
+        if (!isFollowing) {
+            input.point(shown.get(number));
+        }
+    }
+
+    private void clicked(int number) {
+        Control control = shown.get(number);
+        if (control.kind() != Control.Kind.SLIDER) {
+            input.use(control, control.share());
+        }
+    }
+
+    private void slid(int number) {
+        String percent = ((HTMLInputElement) elements.get(number)).getValue();
+        input.use(shown.get(number), Double.parseDouble(percent) / 100);
+    }
+
+    @JSBody(params = "element", script = "element.focus({preventScroll: true});")
+    private static native void focus(HTMLElement element);
+}
