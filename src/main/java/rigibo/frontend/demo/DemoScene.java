@@ -86,12 +86,10 @@ final class DemoScene implements Scene {
     /** The buttons of a hand. */
     private List<HandButtons.Item> buttons() {
         Words words = director.words();
-        return List.of(
-                new HandButtons.Item(words.of("puzzle.command.menu"), director::showMenu),
-                new HandButtons.Item(words.of("puzzle.command.pause"), isPaused, this::pause),
-                new HandButtons.Item("‹", () -> showBeside(-1)),
-                new HandButtons.Item("›", () -> showBeside(1)),
-                new HandButtons.Item(words.of("puzzle.command.restart"), this::restart));
+        HandButtons.Item leave =
+                new HandButtons.Item(words.of("puzzle.command.menu"), director::showMenu);
+        return HandButtons.ofSeveral(
+                words, leave, isPaused, this::pause, this::showBeside, this::restart);
     }
 
     private void pause() {

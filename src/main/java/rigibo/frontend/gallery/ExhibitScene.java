@@ -73,12 +73,9 @@ final class ExhibitScene implements Scene {
     /** The buttons of a hand. */
     private List<HandButtons.Item> buttons() {
         Words words = director.words();
-        return List.of(
-                new HandButtons.Item(words.of("scene.gallery"), this::leave),
-                new HandButtons.Item(words.of("puzzle.command.pause"), isPaused, this::pause),
-                new HandButtons.Item("‹", () -> show(-1)),
-                new HandButtons.Item("›", () -> show(1)),
-                new HandButtons.Item(words.of("puzzle.command.restart"), this::restart));
+        HandButtons.Item leave = new HandButtons.Item(words.of("scene.gallery"), this::leave);
+        return HandButtons.ofSeveral(
+                words, leave, isPaused, this::pause, this::show, this::restart);
     }
 
     private void pause() {

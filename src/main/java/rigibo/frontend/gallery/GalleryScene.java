@@ -154,11 +154,6 @@ final class GalleryScene implements TiledScene {
     }
 
     @Override
-    public boolean isForHands() {
-        return true;
-    }
-
-    @Override
     public boolean isSheet() {
         return true;
     }

@@ -160,11 +160,6 @@ final class LaboratoryScene implements Scene {
     }
 
     @Override
-    public boolean isForHands() {
-        return true;
-    }
-
-    @Override
     public boolean isSheet() {
         return true;
     }

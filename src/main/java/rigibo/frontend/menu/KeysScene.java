@@ -164,11 +164,6 @@ public final class KeysScene implements Scene {
     }
 
     @Override
-    public boolean isForHands() {
-        return true;
-    }
-
-    @Override
     public boolean isSheet() {
         return true;
     }

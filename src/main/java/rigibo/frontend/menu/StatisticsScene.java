@@ -84,11 +84,6 @@ final class StatisticsScene implements TiledScene {
     }
 
     @Override
-    public boolean isForHands() {
-        return true;
-    }
-
-    @Override
     public boolean isSheet() {
         return true;
     }

@@ -35,7 +35,7 @@ public interface Scene {
      * the window is.
      */
     default boolean isForHands() {
-        return false;
+        return isSheet();
     }
 
     /**

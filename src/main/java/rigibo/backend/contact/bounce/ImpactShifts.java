@@ -191,7 +191,7 @@ final class ImpactShifts {
     /** Largest share of their shifts at which the bodies of a contact do not overlap. */
     private double shareOf(int row) {
         double share = 1;
-        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double width = contacts.width(row);
         for (int point = 0; point < contacts.points[row]; point++) {
             double gap = motions.gap(contacts, row, point);
             if (ahead > 0 && gap < 0) {

@@ -176,7 +176,7 @@ final class SimultaneousImpacts {
     private boolean strikes(int row, int point, double time) {
         double speed = motions.parting(contacts, row, point);
         double met = met(row, point, time);
-        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double width = contacts.width(row);
         boolean touched = motions.gap(contacts, row, point) <= TOUCHED * width;
         double unloaded = speed - gainedInAll(row, point) + turnedBy(row);
         double parting = touched ? Math.max(met, unloaded) : met;

@@ -235,7 +235,7 @@ final class LoadsFromAbove {
 
     /** Whether a point carries if its body needs it. */
     private boolean isClosed(int row, int point) {
-        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double width = contacts.width(row);
         double most = contacts.areCrowd() ? closedInACrowd : Stillness.STILL;
         return motions.gap(contacts, row, point) <= most * width;
     }

@@ -243,9 +243,9 @@ final class BoundedRows {
         if (isWithin && (!mayFall && !mayRise || rows.inMetres(row, residual) <= least)) {
             return 0;
         }
-        double response = responses.own(row) + rows.give[row];
-        double change = clamp(row, impulse - residual / response) - impulse;
-        boolean isWorth = rows.inMetres(row, change) * responses.own(row) > least;
+        double own = responses.own(row);
+        double change = clamp(row, impulse - residual / (own + rows.give[row])) - impulse;
+        boolean isWorth = rows.inMetres(row, change) * own > least;
         return isWorth || !isWithin ? change : 0;
     }
 
@@ -264,8 +264,8 @@ final class BoundedRows {
     boolean areSinking(double h, double most) {
         boolean isSinking = false;
         for (int row = jointRows; !isSinking && row < rows.count; row++) {
-            boolean isPoint = contacts.isPoint(row);
-            isSinking = isPoint && -responses.residual(row) * h > most * contacts.width(row);
+            isSinking =
+                    rows.isPoint(row) && -responses.residual(row) * h > most * contacts.width(row);
         }
         return isSinking;
     }

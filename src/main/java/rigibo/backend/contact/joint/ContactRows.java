@@ -45,8 +45,7 @@ final class ContactRows {
         for (int row = first; row < rows.count; row++) {
             int at = rows.contact[row] * PackedContacts.STRIDE;
             double closed = KeptOverlap.LEAST * contacts.data[at + PackedContacts.WIDTH];
-            boolean isPoint = rows.load[row] == NeutralRows.NONE;
-            if (isPoint && rows.impulse[row] > 0 && rows.place[row] <= closed) {
+            if (rows.isPoint(row) && rows.impulse[row] > 0 && rows.place[row] <= closed) {
                 rows.target[row] = contacts.data[at + NEARING];
             }
         }
@@ -77,7 +76,7 @@ final class ContactRows {
             rows.give[row] = d[at + GIVE];
             rows.lower[row] = 0;
             if (contacts.isOutOfReach(contact)) {
-                // It is watched, but nothing is to be reckoned with its gap.
+                // It is watched, but a target made of its gap would drown what others aim at.
                 rows.target[row] = 0;
                 rows.upper[row] = 0;
             } else if (states.ofContact(contact, point) == RowStates.OPEN) {
@@ -144,14 +143,9 @@ final class ContactRows {
         return false;
     }
 
-    /** Whether a row is what a point of a contact pushes with. */
-    boolean isPoint(int row) {
-        return rows.contact[row] != NeutralRows.NONE && rows.load[row] == NeutralRows.NONE;
-    }
-
     /** The smaller width of the two bodies of a contact's row, m. */
     double width(int row) {
-        return contacts.data[rows.contact[row] * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        return contacts.width(rows.contact[row]);
     }
 
     /** Writes the impulses back to the contacts. */

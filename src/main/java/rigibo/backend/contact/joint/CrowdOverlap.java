@@ -68,7 +68,7 @@ final class CrowdOverlap {
         count = 0;
         double kept = KeptOverlap.of(contacts.areCrowd(), accuracy);
         for (int row = 0; row < rows.count; row++) {
-            if (rows.contact[row] != NeutralRows.NONE && rows.load[row] == NeutralRows.NONE) {
+            if (rows.isPoint(row)) {
                 find(row, kept, h);
             }
         }

@@ -291,14 +291,10 @@ final class CrowdSolver {
         boolean isAny = bounded.leave(tree, isOther);
         if (isAny) {
             bounded.beginWay();
-            for (int group = 0; group < tree.groups; group++) {
-                if (isOther[group]) {
-                    factor.change(group);
-                }
-            }
             responses.forget(isOther);
             for (int group = 0; group < tree.groups; group++) {
                 if (isOther[group]) {
+                    factor.change(group);
                     ask(group);
                     settle(group, false);
                 }

@@ -92,7 +92,7 @@ final class JointedOverlap {
         boolean isAny = false;
         double kept = KeptOverlap.of(contacts.areCrowd(), accuracy);
         for (int row = 0; row < rows.count; row++) {
-            if (rows.contact[row] != NeutralRows.NONE && rows.load[row] == NeutralRows.NONE) {
+            if (rows.isPoint(row)) {
                 isAny |= find(row, kept, h);
             }
         }

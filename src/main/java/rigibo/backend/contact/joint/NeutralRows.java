@@ -320,6 +320,11 @@ final class NeutralRows {
                 && twin[row] == NONE;
     }
 
+    /** Whether a row is what a point of a contact pushes with. */
+    boolean isPoint(int row) {
+        return contact[row] != NONE && load[row] == NONE;
+    }
+
     /** Whether a row of a joint only brakes: a motor that is to stand, with bounds. */
     boolean isBrake(int row) {
         boolean isBound = lower[row] < upper[row] && !isEquation(row);

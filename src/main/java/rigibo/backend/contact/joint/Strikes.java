@@ -273,7 +273,7 @@ public final class Strikes {
         } else {
             int point = point(i);
             place = motions.gap(contacts, contact[i], point);
-            double width = contacts.data[contact[i] * PackedContacts.STRIDE + PackedContacts.WIDTH];
+            double width = contacts.width(contact[i]);
             if (Math.abs(place) < NEAR_WIDTH * width) {
                 fresh.measure(contact[i], left);
                 if (isComposed) {

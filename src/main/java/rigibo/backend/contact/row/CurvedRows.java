@@ -42,9 +42,7 @@ public final class CurvedRows {
     boolean isCurved(int row, double left) {
         int pair = contacts.pair[row];
         double way = Math.abs(slid(row)) + Math.abs(slide(row)) * left;
-        double shows =
-                straight.unseen()
-                        * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double shows = straight.unseen() * contacts.width(row);
         if (!(way > shows)) {
             return false;
         }
@@ -77,7 +75,7 @@ public final class CurvedRows {
      */
     double untilNewPoint(int row) {
         int pair = contacts.pair[row];
-        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double width = contacts.width(row);
         boolean mayGainPoint =
                 pairs.faceOf[pair] != Pairs.NONE
                         && contacts.points[row] == 1

@@ -206,7 +206,7 @@ public final class FreshRows {
      * speed.
      */
     boolean mayClose(int row, double left) {
-        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double width = contacts.width(row);
         double closing = NEAR * width + 2 * speed(row, contacts.pair[row]) * left;
         return gap(row) <= closing;
     }

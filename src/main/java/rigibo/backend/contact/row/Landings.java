@@ -115,7 +115,7 @@ public final class Landings {
             hasLanded[i] = isOpen[i] && isPoint(i) && gap(i) <= near(i) && closing(i) > soft;
             if (hasLanded[i]) {
                 isAny = true;
-                widen(i, contacts.data[i / 2 * PackedContacts.STRIDE + PackedContacts.WIDTH]);
+                widen(i, contacts.width(i / 2));
             }
         }
         return isAny;
@@ -263,6 +263,6 @@ public final class Landings {
     }
 
     private double near(int i) {
-        return landed * contacts.data[i / 2 * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        return landed * contacts.width(i / 2);
     }
 }

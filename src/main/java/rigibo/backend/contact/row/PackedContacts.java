@@ -194,6 +194,11 @@ public final class PackedContacts {
         impact.armBY[i] = -acrossB * nx + alongB * ny;
     }
 
+    /** The smaller width of the two bodies of a contact, m. */
+    public double width(int row) {
+        return data[row * STRIDE + WIDTH];
+    }
+
     /** Whether a contact has no point. */
     public boolean isOutOfReach(int row) {
         return data[row * STRIDE + GAP0] > OUT_OF_REACH / 2;

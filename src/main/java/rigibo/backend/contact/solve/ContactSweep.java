@@ -181,7 +181,7 @@ public final class ContactSweep {
     public boolean isSinking(double h, int substep, double most) {
         boolean isSinking = false;
         for (int row = 0; !isSinking && row < contacts.count; row++) {
-            double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+            double width = contacts.width(row);
             for (int point = 0; point < contacts.points[row]; point++) {
                 double parts = motions.parting(contacts, row, point) + spare[2 * row + point];
                 isSinking |= contacts.firstSubstep[row] <= substep && -parts * h > most * width;
@@ -291,7 +291,7 @@ public final class ContactSweep {
         for (int row = from; row < to; row++) {
             boolean isThere = contacts.firstSubstep[row] <= substep;
             seen[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
-            double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+            double width = contacts.width(row);
             double deepest = 0;
             double nearing = contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
             for (int point = 0; point < contacts.points[row]; point++) {

@@ -87,7 +87,7 @@ final class HeldOverlap {
         for (int place = 0; place < contacts.count; place++) {
             int row = order.order[place];
             if (contacts.firstSubstep[row] <= substep && choose(place, row, h)) {
-                double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+                double width = contacts.width(row);
                 widest = Math.max(widest, width);
             }
         }
@@ -161,7 +161,7 @@ final class HeldOverlap {
      * all the way.
      */
     private boolean isOnGround(int row, int point) {
-        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double width = contacts.width(row);
         return row >= contacts.groundStart
                 && motions.gap(contacts, row, point) <= KeptOverlap.LEAST * width;
     }

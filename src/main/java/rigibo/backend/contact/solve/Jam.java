@@ -155,7 +155,7 @@ final class Jam {
 
     /** Distance by which a point is to part in a pass, m. */
     private double wanted(int row, int point) {
-        double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double width = contacts.width(row);
         double overlap = -motions.gap(contacts, row, point) - kept * width;
         return overlap > 0 ? overlap * share : 0;
     }

@@ -196,7 +196,7 @@ public final class OverlapSolver {
     }
 
     private boolean isDeep(int row) {
-        double least = -kept * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+        double least = -kept * contacts.width(row);
         return motions.gap(contacts, row, 0) < least
                 || contacts.points[row] == 2 && motions.gap(contacts, row, 1) < least;
     }
@@ -221,7 +221,7 @@ public final class OverlapSolver {
      */
     private void noteGround(double h) {
         for (int row = contacts.groundStart; row < contacts.count; row++) {
-            double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+            double width = contacts.width(row);
             for (int point = 0; point < contacts.points[row]; point++) {
                 if (motions.gap(contacts, row, point) < -SHOWS * width) {
                     ground.open(row, point, wanted(row, point, h));
@@ -243,8 +243,7 @@ public final class OverlapSolver {
     public boolean isAnyWanted(double share, double h, int substep) {
         for (int row = 0; row < contacts.count; row++) {
             if (contacts.firstSubstep[row] <= substep) {
-                double least =
-                        share * contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+                double least = share * contacts.width(row);
                 for (int point = 0; point < contacts.points[row]; point++) {
                     if (wanted(row, point, h) > least) {
                         return true;

@@ -85,7 +85,7 @@ public final class ShockPropagation {
     private boolean isClosing(int entry) {
         boolean isClosing = false;
         for (int row = supports.firstBelow(entry); row != Supports.NONE; ) {
-            double width = contacts.data[row * PackedContacts.STRIDE + PackedContacts.WIDTH];
+            double width = contacts.width(row);
             for (int point = 0;
                     supports.isHeldBelow(row) && point < contacts.points[row];
                     point++) {

@@ -2,10 +2,12 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Enlarged;
+import rigibo.frontend.scene.Words;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntConsumer;
 
 /** Buttons around a scene in a hand, in place of keys. */
 public final class HandButtons {
@@ -29,6 +31,27 @@ public final class HandButtons {
         public Item(String words, Runnable action) {
             this(words, false, action);
         }
+    }
+
+    /**
+     * The buttons of a scene that is one of several, all of which run.
+     *
+     * @param leave the way back
+     * @param beside shows another one, so many places on
+     */
+    public static List<Item> ofSeveral(
+            Words words,
+            Item leave,
+            boolean isPaused,
+            Runnable pause,
+            IntConsumer beside,
+            Runnable restart) {
+        return List.of(
+                leave,
+                new Item(words.of("puzzle.command.pause"), isPaused, pause),
+                new Item("‹", () -> beside.accept(-1)),
+                new Item("›", () -> beside.accept(1)),
+                new Item(words.of("puzzle.command.restart"), restart));
     }
 
     /** Draws buttons at places of a sheet, px; there they are until {@link #clear}. */

@@ -28,8 +28,8 @@ public final class Spread {
     }
 
     /**
-     * The same with no place narrower than a least width, px: what short words take more is taken
-     * from the others.
+     * Right ends of places for words, none narrower than a least width, px. What short words get
+     * beyond their need is taken from the others.
      */
     public static double[] ends(
             Canvas canvas, List<String> words, double size, double width, double least) {
