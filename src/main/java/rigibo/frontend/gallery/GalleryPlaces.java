@@ -63,9 +63,10 @@ record GalleryPlaces(
     /** A row of buttons, in an upright window one of tabs below it, and cards in what is left. */
     private static GalleryPlaces inHand(Layout sheet, int sections) {
         double finger = sheet.clickable(0);
-        double left = sheet.seenLeft() + GAP_IN_HAND;
-        double width = sheet.seenRight() - GAP_IN_HAND - left;
-        Plate back = new Plate(left, sheet.seenTop() + GAP_IN_HAND, BACK, finger);
+        Plate seen = Plate.seen(sheet, GAP_IN_HAND);
+        double left = seen.x();
+        double width = seen.width();
+        Plate back = new Plate(left, seen.y(), BACK, finger);
         double paging = left + width - 2 * finger - COUNT;
         Grid pagers = new Grid(new Plate(paging, back.y(), finger, finger), 2, COUNT, 0);
         double row = back.bottom() + GAP_IN_HAND;

@@ -41,10 +41,7 @@ record LaboratoryPlaces(
     static final LaboratoryPlaces ON_A_DESK = onADesk();
 
     static LaboratoryPlaces of(Layout layout) {
-        if (!layout.isInHand()) {
-            return ON_A_DESK;
-        }
-        return layout.isUpright() ? upright(layout) : lying(layout);
+        return layout.choose(ON_A_DESK, LaboratoryPlaces::upright, LaboratoryPlaces::lying);
     }
 
     private static LaboratoryPlaces onADesk() {
@@ -55,7 +52,7 @@ record LaboratoryPlaces(
         Plate right =
                 new Plate(Scene.WIDTH - EDGE - HalfView.WIDTH, top, HalfView.WIDTH, left.height());
         Plate status = new Plate(EDGE, left.bottom() + GAP, width, STATUS);
-        Plate drawers = below(status, ButtonBar.HEIGHT);
+        Plate drawers = status.below(GAP, ButtonBar.HEIGHT);
         double graph = drawers.bottom() + GAP;
         return new LaboratoryPlaces(
                 Plate.NONE,
@@ -71,18 +68,19 @@ record LaboratoryPlaces(
     /** All of it one below the other; the halves take what is left above the graph. */
     private static LaboratoryPlaces upright(Layout sheet) {
         double finger = sheet.clickable(0);
-        double x = sheet.seenLeft() + EDGE;
-        double width = sheet.seenRight() - EDGE - x;
-        Plate commands = new Plate(x, sheet.seenTop() + EDGE, width, finger);
-        Plate experiments = below(commands, finger);
+        Plate seen = Plate.seen(sheet, EDGE);
+        double x = seen.x();
+        double width = seen.width();
+        Plate commands = new Plate(x, seen.y(), width, finger);
+        Plate experiments = commands.below(GAP, finger);
         double top = experiments.bottom() + GAP;
-        double foot = sheet.seenBottom() - EDGE;
+        double foot = seen.bottom();
         double rest = foot - top - 3 * GAP - STATUS_IN_HAND - finger - GRAPH;
         double half = (width - GAP) / 2;
         double height = Math.min(rest, HalfView.height(sheet, half));
         Plate left = new Plate(x, top, half, height);
         Plate status = new Plate(x, left.bottom() + GAP, width, STATUS_IN_HAND);
-        Plate drawers = below(status, finger);
+        Plate drawers = status.below(GAP, finger);
         double graph = drawers.bottom() + GAP;
         return new LaboratoryPlaces(
                 commands,
@@ -98,18 +96,18 @@ record LaboratoryPlaces(
     /** The halves with what is said of them, and beside them buttons and graph. */
     private static LaboratoryPlaces lying(Layout sheet) {
         double finger = sheet.clickable(0);
-        double x = sheet.seenLeft() + EDGE;
-        double top = sheet.seenTop() + EDGE;
-        double foot = sheet.seenBottom() - EDGE;
-        double height = foot - top - GAP - STATUS_IN_HAND;
-        double most = (sheet.seenRight() - 2 * EDGE - BESIDE - GAP - x) / 2;
+        Plate seen = Plate.seen(sheet, EDGE);
+        double x = seen.x();
+        double top = seen.y();
+        double height = seen.height() - GAP - STATUS_IN_HAND;
+        double most = (seen.width() - EDGE - BESIDE - GAP) / 2;
         double half = Math.min(most, HalfView.width(sheet, height));
         Plate left = new Plate(x, top, half, height);
         Plate right = new Plate(left.right() + GAP, top, half, height);
         double beside = right.right() + EDGE;
-        Plate commands = new Plate(beside, top, sheet.seenRight() - EDGE - beside, finger);
-        Plate experiments = below(commands, 2 * finger);
-        Plate drawers = below(experiments, finger);
+        Plate commands = new Plate(beside, top, seen.right() - beside, finger);
+        Plate experiments = commands.below(GAP, 2 * finger);
+        Plate drawers = experiments.below(GAP, finger);
         double graph = drawers.bottom() + GAP;
         return new LaboratoryPlaces(
                 commands,
@@ -119,10 +117,6 @@ record LaboratoryPlaces(
                 right,
                 new Plate(x, left.bottom() + GAP, right.right() - x, STATUS_IN_HAND),
                 drawers,
-                new Plate(beside, graph, commands.width(), foot - graph));
-    }
-
-    private static Plate below(Plate upper, double height) {
-        return new Plate(upper.x(), upper.bottom() + GAP, upper.width(), height);
+                new Plate(beside, graph, commands.width(), seen.bottom() - graph));
     }
 }

@@ -40,7 +40,7 @@ record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) 
     static final KeysPlaces ON_A_DESK = onADesk();
 
     static KeysPlaces of(Layout layout) {
-        return layout.isInHand() ? inHand(layout) : ON_A_DESK;
+        return layout.choose(ON_A_DESK, KeysPlaces::inHand, KeysPlaces::inHand);
     }
 
     private static KeysPlaces onADesk() {
@@ -58,9 +58,8 @@ record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) 
     /** Buttons above, then levels beside demos, and below them what is told. */
     private static KeysPlaces inHand(Layout sheet) {
         double finger = sheet.clickable(0);
-        double left = sheet.seenLeft() + GAP_IN_HAND;
-        double right = sheet.seenRight() - GAP_IN_HAND;
-        Plate row = new Plate(left, sheet.seenTop() + GAP_IN_HAND, right - left, finger);
+        Plate seen = Plate.seen(sheet, GAP_IN_HAND);
+        Plate row = new Plate(seen.x(), seen.y(), seen.width(), finger);
         Grid halves = Grid.of(row, 2, GAP_IN_HAND);
         double top = row.bottom() + GAP_IN_HAND / 2 + HEADING;
         Grid levels = column(sheet, halves.place(0), top);
@@ -69,7 +68,7 @@ record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) 
         return new KeysPlaces(
                 levels,
                 column(sheet, halves.place(1), top),
-                new Plate(left, end, right - left, Math.min(MOST_TOLD, rest)),
+                new Plate(seen.x(), end, seen.width(), Math.min(MOST_TOLD, rest)),
                 halves.place(1),
                 halves.place(0));
     }

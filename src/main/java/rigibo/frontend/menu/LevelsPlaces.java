@@ -85,21 +85,20 @@ record LevelsPlaces(
      * @param hasMade whether any levels are made by chance; in a hand their row is left out if not
      */
     static LevelsPlaces of(Layout layout, boolean hasMade) {
-        if (!layout.isInHand()) {
-            return ON_A_DESK;
-        }
-        return layout.isUpright() ? upright(layout, hasMade) : lying(layout, hasMade);
+        return layout.choose(
+                ON_A_DESK, hand -> upright(hand, hasMade), hand -> lying(hand, hasMade));
     }
 
     private static LevelsPlaces upright(Layout layout, boolean hasMade) {
         double finger = layout.clickable(0);
-        double left = layout.seenLeft() + GAP;
-        double width = layout.seenRight() - GAP - left;
-        Plate first = new Plate(left, layout.seenTop() + GAP, width, finger);
-        Plate made = new Plate(left, first.bottom() + GAP, width, finger);
-        Plate tabs = new Plate(left, (hasMade ? made : first).bottom() + GAP, width, finger);
+        Plate seen = Plate.seen(layout, GAP);
+        double left = seen.x();
+        double width = seen.width();
+        Plate first = new Plate(left, seen.y(), width, finger);
+        Plate made = first.below(GAP, finger);
+        Plate tabs = (hasMade ? made : first).below(GAP, finger);
         double footHeight = Math.max(layout.lettered(FOOT), finger);
-        Plate foot = new Plate(left, layout.seenBottom() - GAP - footHeight, width, footHeight);
+        Plate foot = new Plate(left, seen.bottom() - footHeight, width, footHeight);
         double room = foot.y() - tabs.bottom() - GAP;
         double card = (width - (COLUMNS - 1) * GAP) / COLUMNS;
         double height = Math.min(HIGHEST * card, room / ROWS - GAP);
@@ -123,19 +122,17 @@ record LevelsPlaces(
 
     private static LevelsPlaces lying(Layout layout, boolean hasMade) {
         double finger = layout.clickable(0);
-        double left = layout.seenLeft() + GAP;
-        double seen = layout.seenRight() - layout.seenLeft();
-        double aside = ASIDE * seen;
-        Plate first = new Plate(left, layout.seenTop() + GAP, aside, finger);
-        Plate made = new Plate(left, first.bottom() + GAP, aside, finger);
-        Plate tabs = new Plate(left, (hasMade ? made : first).bottom() + GAP, aside, finger);
-        double bottom = layout.seenBottom() - GAP;
+        Plate seen = Plate.seen(layout, GAP);
+        double aside = ASIDE * (layout.seenRight() - layout.seenLeft());
+        Plate first = new Plate(seen.x(), seen.y(), aside, finger);
+        Plate made = first.below(GAP, finger);
+        Plate tabs = (hasMade ? made : first).below(GAP, finger);
         double below = tabs.bottom() + GAP + finger + GAP;
-        Plate watch = new Plate(left, bottom - finger, aside, finger);
-        double cardsLeft = left + aside + GAP;
-        double width = layout.seenRight() - GAP - cardsLeft;
+        Plate watch = new Plate(seen.x(), seen.bottom() - finger, aside, finger);
+        double cardsLeft = first.right() + GAP;
+        double width = seen.right() - cardsLeft;
         double card = (width - (COLUMNS_LYING - 1) * GAP) / COLUMNS_LYING;
-        double height = (bottom - first.y() + GAP) / COLUMNS - GAP;
+        double height = (seen.height() + GAP) / COLUMNS - GAP;
         Grid cards =
                 new Grid(new Plate(cardsLeft, first.y(), card, height), COLUMNS_LYING, GAP, GAP);
         return new LevelsPlaces(
@@ -143,10 +140,10 @@ record LevelsPlaces(
                 Plate.NONE,
                 Grid.of(first, 2, GAP),
                 made,
-                Grid.of(new Plate(tabs.x(), tabs.y(), aside, finger), 2, GAP),
+                Grid.of(tabs, 2, GAP),
                 cards,
                 afterTheTenth(cards),
-                new Plate(left, below, aside, watch.y() - GAP - below),
+                new Plate(seen.x(), below, aside, watch.y() - GAP - below),
                 watch);
     }
 

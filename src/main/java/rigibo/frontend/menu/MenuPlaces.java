@@ -41,22 +41,18 @@ record MenuPlaces(Plate head, Plate play, Plate row, Plate heading, Grid cards) 
     private static final double PLAY = 1.3;
 
     static MenuPlaces of(Layout layout) {
-        if (!layout.isInHand()) {
-            return ON_A_DESK;
-        }
-        return layout.isUpright() ? upright(layout) : lying(layout);
+        return layout.choose(ON_A_DESK, MenuPlaces::upright, MenuPlaces::lying);
     }
 
     /** Everything below each other. */
     private static MenuPlaces upright(Layout layout) {
-        double left = layout.seenLeft() + GAP;
-        double width = layout.seenRight() - GAP - left;
-        Plate head = new Plate(left, layout.seenTop() + TITLE, width, TAGLINE);
+        Plate seen = Plate.seen(layout, GAP);
+        Plate head = new Plate(seen.x(), layout.seenTop() + TITLE, seen.width(), TAGLINE);
         Plate row = row(layout, head);
-        Plate heading = new Plate(left, row.bottom() + layout.lettered(LINE), 0, 0);
+        Plate heading = new Plate(seen.x(), row.bottom() + layout.lettered(LINE), 0, 0);
         double top = heading.y() + layout.lettered(LINE) - 6;
-        return new MenuPlaces(
-                head, play(layout, head), row, heading, cards(layout, left, top, width));
+        Grid cards = cards(layout, seen.x(), top, seen.width());
+        return new MenuPlaces(head, play(layout, head), row, heading, cards);
     }
 
     /** The title and the levels on the left, all else on the right. */
@@ -76,13 +72,11 @@ record MenuPlaces(Plate head, Plate play, Plate row, Plate heading, Grid cards) 
     }
 
     private static Plate play(Layout layout, Plate head) {
-        double top = head.bottom() + LINES * layout.lettered(LINE);
-        return new Plate(head.x(), top, head.width(), PLAY * layout.clickable(0));
+        return head.below(LINES * layout.lettered(LINE), PLAY * layout.clickable(0));
     }
 
     private static Plate row(Layout layout, Plate head) {
-        double top = play(layout, head).bottom() + GAP;
-        return new Plate(head.x(), top, head.width(), layout.clickable(0));
+        return play(layout, head).below(GAP, layout.clickable(0));
     }
 
     private static Grid cards(Layout layout, double x, double y, double width) {

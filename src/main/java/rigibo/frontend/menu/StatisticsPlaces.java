@@ -34,50 +34,56 @@ record StatisticsPlaces(
     static final StatisticsPlaces ON_A_DESK = onADesk();
 
     static StatisticsPlaces of(Layout layout) {
-        return layout.isInHand() ? inHand(layout) : ON_A_DESK;
+        return layout.choose(ON_A_DESK, StatisticsPlaces::upright, StatisticsPlaces::lying);
     }
 
     private static StatisticsPlaces onADesk() {
         Plate levels = new Plate(60, 90, Scene.WIDTH - 2 * 60, LEVELS);
-        Plate play = below(levels, GAP, PLAY);
-        Plate days = below(play, GAP, DAYS);
+        Plate play = levels.below(GAP, PLAY);
+        Plate days = play.below(GAP, DAYS);
         return new StatisticsPlaces(
                 new Plate(Scene.WIDTH / 2.0, 44, 0, 36),
                 new Plate(20, 22, 130, 42),
                 levels,
                 play,
                 days,
-                below(days, GAP, ENDLESS));
+                days.below(GAP, ENDLESS));
     }
 
-    /** One plate below the other, or in two columns in a window that lies. */
-    private static StatisticsPlaces inHand(Layout sheet) {
-        double left = sheet.seenLeft() + GAP_IN_HAND;
-        double right = sheet.seenRight() - GAP_IN_HAND;
-        Plate back = new Plate(left, sheet.seenTop() + GAP_IN_HAND, BACK, sheet.clickable(0));
-        double middle = (back.right() + right) / 2;
-        Plate title = new Plate(middle, back.y() + back.height() / 2, 0, TITLE_IN_HAND);
+    /** One plate below the other. */
+    private static StatisticsPlaces upright(Layout sheet) {
+        Plate seen = Plate.seen(sheet, GAP_IN_HAND);
+        Plate back = back(sheet, seen);
+        Plate levels = new Plate(seen.x(), back.bottom() + GAP_IN_HAND, seen.width(), LEVELS);
+        Plate play = levels.below(GAP_IN_HAND, PLAY_IN_HAND);
+        Plate days = play.below(GAP_IN_HAND, DAYS);
+        Plate endless = days.below(GAP_IN_HAND, ENDLESS);
+        return new StatisticsPlaces(title(seen, back), back, levels, play, days, endless);
+    }
+
+    /** The levels on the left, above those without end, and the rest on the right. */
+    private static StatisticsPlaces lying(Layout sheet) {
+        Plate seen = Plate.seen(sheet, GAP_IN_HAND);
+        Plate back = back(sheet, seen);
         double top = back.bottom() + GAP_IN_HAND;
-        if (sheet.isUpright()) {
-            Plate levels = new Plate(left, top, right - left, LEVELS);
-            Plate play = below(levels, GAP_IN_HAND, PLAY_IN_HAND);
-            Plate days = below(play, GAP_IN_HAND, DAYS);
-            Plate endless = below(days, GAP_IN_HAND, ENDLESS);
-            return new StatisticsPlaces(title, back, levels, play, days, endless);
-        }
-        double width = (1 - LEVELS_SHARE) * (right - left);
-        Plate levels = new Plate(left, top, right - left - width - GAP_IN_HAND, LEVELS);
-        Plate play = new Plate(right - width, top, width, PLAY_IN_HAND);
+        double width = (1 - LEVELS_SHARE) * seen.width();
+        Plate levels = new Plate(seen.x(), top, seen.width() - width - GAP_IN_HAND, LEVELS);
+        Plate play = new Plate(seen.right() - width, top, width, PLAY_IN_HAND);
         return new StatisticsPlaces(
-                title,
+                title(seen, back),
                 back,
                 levels,
                 play,
-                below(play, GAP_IN_HAND, DAYS),
-                below(levels, GAP_IN_HAND, ENDLESS));
+                play.below(GAP_IN_HAND, DAYS),
+                levels.below(GAP_IN_HAND, ENDLESS));
     }
 
-    private static Plate below(Plate upper, double gap, double height) {
-        return new Plate(upper.x(), upper.bottom() + gap, upper.width(), height);
+    private static Plate back(Layout sheet, Plate seen) {
+        return new Plate(seen.x(), seen.y(), BACK, sheet.clickable(0));
+    }
+
+    private static Plate title(Plate seen, Plate back) {
+        double middle = (back.right() + seen.right()) / 2;
+        return new Plate(middle, back.y() + back.height() / 2, 0, TITLE_IN_HAND);
     }
 }

@@ -46,7 +46,7 @@ record MadePlaces(
 
     private static MadePlaces onADesk() {
         Plate picture = new Plate((Scene.WIDTH - PICTURE) / 2, 84, PICTURE, PICTURE);
-        Plate play = new Plate(picture.x(), picture.bottom() + 14, PICTURE, BUTTON);
+        Plate play = picture.below(14, BUTTON);
         double results = play.bottom() + 22;
         return new MadePlaces(
                 new Plate(EDGE, 22, 130, BUTTON),
@@ -60,39 +60,36 @@ record MadePlaces(
 
     /** Where they are in a window. */
     static MadePlaces of(Layout layout) {
-        if (!layout.isInHand()) {
-            return ON_A_DESK;
-        }
-        return layout.isUpright() ? upright(layout) : lying(layout);
+        return layout.choose(ON_A_DESK, MadePlaces::upright, MadePlaces::lying);
     }
 
     private static MadePlaces upright(Layout layout) {
         double finger = layout.clickable(0);
-        double left = layout.seenLeft() + GAP;
-        double width = layout.seenRight() - GAP - left;
-        Plate back = new Plate(left, layout.seenTop() + GAP, width / 2, finger);
+        Plate seen = Plate.seen(layout, GAP);
+        double left = seen.x();
+        double width = seen.width();
+        Plate back = new Plate(left, seen.y(), width / 2, finger);
         Plate title = heading(layout, left, back.bottom(), width);
         Plate picture = new Plate(left, title.y() + title.height(), width, PICTURE * 1.4);
-        Plate play = new Plate(left, picture.bottom() + GAP, width, finger);
+        Plate play = picture.below(GAP, finger);
         return new MadePlaces(
                 back,
                 title,
                 picture,
                 play,
-                below(layout, play, left, width),
+                below(seen, play),
                 layout.lettered(HEAD),
                 layout.lettered(ROW));
     }
 
     private static MadePlaces lying(Layout layout) {
         double finger = layout.clickable(0);
-        double left = layout.seenLeft() + GAP;
-        double top = layout.seenTop() + GAP;
+        Plate seen = Plate.seen(layout, GAP);
         double share = PICTURE_SHARE * (layout.seenRight() - layout.seenLeft());
-        Plate picture = new Plate(left, top, share, layout.seenBottom() - GAP - top);
+        Plate picture = new Plate(seen.x(), seen.y(), share, seen.height());
         double aside = picture.right() + GAP;
-        double width = layout.seenRight() - GAP - aside;
-        Plate back = new Plate(aside, top, width / 2, finger);
+        double width = seen.right() - aside;
+        Plate back = new Plate(aside, seen.y(), width / 2, finger);
         Plate title = heading(layout, aside, back.bottom(), width);
         Plate play = new Plate(aside, title.y() + title.height(), width, finger);
         return new MadePlaces(
@@ -100,7 +97,7 @@ record MadePlaces(
                 title,
                 picture,
                 play,
-                below(layout, play, aside, width),
+                below(seen, play),
                 layout.lettered(HEAD),
                 layout.lettered(ROW));
     }
@@ -110,9 +107,8 @@ record MadePlaces(
         return new Plate(left + width / 2, above + height / 2, 0, height / 2);
     }
 
-    private static Plate below(Layout layout, Plate play, double left, double width) {
-        double y = play.bottom() + GAP;
-        return new Plate(left, y, width, layout.seenBottom() - GAP - y);
+    private static Plate below(Plate seen, Plate play) {
+        return play.below(GAP, seen.bottom() - GAP - play.bottom());
     }
 
     /**

@@ -1,5 +1,7 @@
 package rigibo.frontend.scene;
 
+import java.util.function.Function;
+
 /**
  * What a window shows, in logical pixels. A scene lies at (0, 0) and measures {@link Scene#WIDTH} ×
  * {@link Scene#HEIGHT}; a window of another shape shows more on its sides, so that points left of
@@ -161,6 +163,20 @@ public record Layout(
     /** Whether it is higher than wide: what lies around the scene is above and below it. */
     public boolean isUpright() {
         return height > width;
+    }
+
+    /**
+     * One of three ways to lay something out.
+     *
+     * @param onADesk used where the window is not in a hand
+     * @param upright makes the one for a window in a hand that is higher than wide
+     * @param lying makes the one for any other window in a hand
+     */
+    public <P> P choose(P onADesk, Function<Layout, P> upright, Function<Layout, P> lying) {
+        if (!isInHand()) {
+            return onADesk;
+        }
+        return isUpright() ? upright.apply(this) : lying.apply(this);
     }
 
     /** Left edge of what is seen of the window, px. */

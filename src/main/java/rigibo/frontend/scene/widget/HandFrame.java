@@ -35,12 +35,13 @@ public record HandFrame(List<Plate> buttons, List<Plate> tabs, Plate free, Plate
 
     private static HandFrame upright(Layout sheet, int buttons, int tabs) {
         double finger = sheet.clickable(0);
-        double left = sheet.seenLeft() + GAP;
-        double width = sheet.seenRight() - GAP - left;
-        Plate first = new Plate(left, sheet.seenTop() + GAP, width, finger);
+        Plate seen = Plate.seen(sheet, GAP);
+        double left = seen.x();
+        double width = seen.width();
+        Plate first = new Plate(left, seen.y(), width, finger);
         int columns = Math.max(1, Math.min(TABS_UPRIGHT, tabs));
         double height = Grid.of(first, columns, GAP).height(tabs);
-        double row = sheet.seenBottom() - GAP - height;
+        double row = seen.bottom() - height;
         double top = first.bottom() + GAP;
         double scene = (sheet.height() - sheet.width() * Scene.HEIGHT / Scene.WIDTH) / 2;
         return new HandFrame(
@@ -51,22 +52,19 @@ public record HandFrame(List<Plate> buttons, List<Plate> tabs, Plate free, Plate
     }
 
     private static HandFrame lying(Layout sheet, int buttons, int tabs) {
-        double left = sheet.seenLeft() + GAP;
-        double top = sheet.seenTop() + GAP;
+        Plate seen = Plate.seen(sheet, GAP);
         double scene = sheet.height() * Scene.WIDTH / Scene.HEIGHT;
         double beside = (sheet.width() - scene) / 2;
         double end = beside - GAP;
-        Plate row = new Plate(left, top, end - left, sheet.clickable(0));
+        Plate row = new Plate(seen.x(), seen.y(), end - seen.x(), sheet.clickable(0));
         Grid all = Grid.of(row, LYING, GAP);
-        double right = sheet.seenRight() - GAP;
-        double width = Math.min(WIDEST, right - end - GAP);
-        double height = sheet.seenBottom() - GAP - top;
+        double width = Math.min(WIDEST, seen.right() - end - GAP);
         double free = beside + scene + GAP;
         return new HandFrame(
                 places(all, 0, buttons),
                 places(all, buttons, buttons + tabs),
-                new Plate(free, top, right - free, height),
-                new Plate(right - width, top, width, height));
+                new Plate(free, seen.y(), seen.right() - free, seen.height()),
+                new Plate(seen.right() - width, seen.y(), width, seen.height()));
     }
 
     private static List<Plate> places(Grid grid, int from, int to) {

@@ -1,6 +1,7 @@
 package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.Layout;
 
 /**
  * A rectangle on the screen that something is drawn on, logical px.
@@ -14,6 +15,19 @@ public record Plate(double x, double y, double width, double height) {
 
     /** Holds no point. */
     public static final Plate NONE = new Plate(0, 0, -1, -1);
+
+    /** What is seen of a window but for a margin, px. */
+    public static Plate seen(Layout layout, double margin) {
+        double left = layout.seenLeft() + margin;
+        double top = layout.seenTop() + margin;
+        return new Plate(
+                left, top, layout.seenRight() - margin - left, layout.seenBottom() - margin - top);
+    }
+
+    /** A plate as wide as this one, a gap below it, px. */
+    public Plate below(double gap, double height) {
+        return new Plate(x, bottom() + gap, width, height);
+    }
 
     /** Right edge. */
     public double right() {
