@@ -13,6 +13,7 @@ import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
 import rigibo.lab.bench.scene.Pace;
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.child.Fields;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 
@@ -41,7 +42,7 @@ final class BenchProcess {
         Engine engine = Engines.named(arguments[1]);
         Pace pace = Pace.parse(arguments[2]);
         Sample sample = BenchProbe.measure(engine, scene.scene().get(), pace);
-        System.out.println(BenchProbe.MARK + sample.line());
+        System.out.println(BenchProbe.MARK + Fields.line(sample));
     }
 
     /** The first level of the game, which nobody plays: everything in it stays where it is. */

@@ -7,8 +7,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 import rigibo.backend.setup.Accuracy;
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.RigiBoEngine;
-import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
 
 import java.io.IOException;

@@ -10,6 +10,7 @@ import rigibo.lab.ablation.probe.Share;
 import rigibo.lab.ablation.probe.Use;
 import rigibo.lab.ablation.probe.Workload;
 import rigibo.lab.ablation.probe.Workloads;
+import rigibo.lab.child.Fields;
 import rigibo.lab.child.Kept;
 
 import java.util.ArrayList;
@@ -48,7 +49,7 @@ final class AblationLab {
      */
     void run(Consumer<String> tell) {
         order.scenes().forEach(scene -> archives.strip(scene.name()));
-        kept.make(order.runs(), Run::name, run -> java.run(run).line(), tell);
+        kept.make(order.runs(), Run::name, run -> Fields.line(java.run(run)), tell);
     }
 
     /** What the runs tell. */
@@ -120,7 +121,7 @@ final class AblationLab {
     private List<Sample> samples(String workload, Run.Engine engine) {
         return order.runs().stream()
                 .filter(run -> run.workload().equals(workload) && run.engine() == engine)
-                .map(run -> Sample.parse(kept.of(run.name()).orElseThrow()))
+                .map(run -> Fields.parse(Sample.class, kept.of(run.name()).orElseThrow()))
                 .toList();
     }
 }

@@ -4,6 +4,7 @@ import rigibo.backend.Pool;
 import rigibo.lab.ablation.probe.Probe;
 import rigibo.lab.ablation.probe.Workloads;
 import rigibo.lab.child.ClassFiles;
+import rigibo.lab.child.Fields;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -17,7 +18,7 @@ final class Archives {
     private final Path directory;
     private final Workloads workloads;
     private final ClassFiles engine = ClassFiles.of(Pool.class);
-    private final ClassFiles probe = ClassFiles.of(Probe.class);
+    private final ClassFiles probe = ClassFiles.of(Probe.class).and(ClassFiles.of(Fields.class));
 
     /** Writes the whole engine and the probe into a directory, which is made. */
     Archives(Path directory, Workloads workloads) {

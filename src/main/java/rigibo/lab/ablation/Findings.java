@@ -66,7 +66,7 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
 
         /** Whether bits and work are the same in every run. */
         boolean isSame() {
-            return pairs.haveEqualBits() && pairs.haveEqualCounts();
+            return pairs.haveEqualBits() && pairs.haveEqualWork();
         }
 
         /** Of any of its runs. */

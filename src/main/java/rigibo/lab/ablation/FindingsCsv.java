@@ -29,7 +29,7 @@ final class FindingsCsv {
 
     private static String line(Ablation one) {
         Pairs pairs = one.pairs();
-        Object[] same = {pairs.haveEqualCounts(), pairs.haveEqualBits()};
+        Object[] same = {pairs.haveEqualWork(), pairs.haveEqualBits()};
         return line("undeclared", one.scene(), "", "", pairs, "ratio", pairs.ratio(), same);
     }
 

@@ -3,9 +3,9 @@ package rigibo.lab.ablation;
 import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.ablation.Findings.Saving;
 import rigibo.lab.ablation.Findings.UseCost;
-import rigibo.lab.ablation.probe.Counts;
 import rigibo.lab.ablation.probe.Share;
 import rigibo.lab.child.Interval;
+import rigibo.lab.child.Work;
 import rigibo.lab.report.Amount;
 
 import java.util.ArrayList;
@@ -52,7 +52,7 @@ final class MarkdownTables {
                 Amount.ratio(ratio.low()) + " to " + Amount.ratio(ratio.high()),
                 one.verdict(),
                 Amount.digits(pairs.mostBytes()),
-                words(pairs.haveEqualCounts()),
+                words(pairs.haveEqualWork()),
                 words(pairs.haveEqualBits()));
     }
 
@@ -72,16 +72,16 @@ final class MarkdownTables {
     }
 
     private static String workRow(Ablation one) {
-        Counts counts = one.sample().counts();
+        Work work = one.sample().work();
         return row(
                 one.scene(),
                 one.sample().bitsPerBody(),
-                counts.pairs(),
-                counts.contacts(),
-                counts.impacts(),
-                counts.evaluations(),
-                counts.rows(),
-                Amount.digits(counts.rowsPerContact()));
+                work.pairs(),
+                work.contacts(),
+                work.impacts(),
+                work.evaluations(),
+                work.rows(),
+                Amount.digits(work.contacts() == 0 ? 0 : (double) work.rows() / work.contacts()));
     }
 
     /** A line for each effect: what it costs where none, one, half and all use it. */

@@ -64,8 +64,8 @@ record Pairs(List<Sample> first, List<Sample> second) {
     }
 
     /** Whether every run did the same work. */
-    boolean haveEqualCounts() {
-        return all().map(Sample::counts).distinct().count() == 1;
+    boolean haveEqualWork() {
+        return all().map(Sample::work).distinct().count() == 1;
     }
 
     private Stream<Sample> all() {

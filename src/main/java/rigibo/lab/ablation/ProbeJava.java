@@ -2,6 +2,7 @@ package rigibo.lab.ablation;
 
 import rigibo.lab.ablation.probe.Probe;
 import rigibo.lab.ablation.probe.Sample;
+import rigibo.lab.child.Fields;
 import rigibo.lab.child.MeasuringJava;
 
 import java.io.File;
@@ -39,7 +40,8 @@ final class ProbeJava {
                         "" + run.budget().warmMillis,
                         "" + run.budget().timedMillis);
         try {
-            return Sample.parse(java.run(classPath, Probe.class, arguments, Probe.MARK).get(0));
+            String answer = java.run(classPath, Probe.class, arguments, Probe.MARK).get(0);
+            return Fields.parse(Sample.class, answer);
         } catch (IllegalStateException broken) {
             boolean isStripped = run.engine() == Run.Engine.STRIPPED;
             String without = isStripped ? " without " + archives.takenOut(run.workload()) : "";

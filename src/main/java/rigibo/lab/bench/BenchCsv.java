@@ -1,39 +1,50 @@
 package rigibo.lab.bench;
 
-import rigibo.lab.bench.probe.Sample;
+import rigibo.lab.child.Fields;
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.report.Csv;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 
 /** Every run as a line of values. */
 final class BenchCsv {
 
-    private static final List<String> KEYS = List.of("scene", "engine", "round");
+    private static final Object[] HEAD = {
+        "scene",
+        "engine",
+        "round",
+        "steps",
+        "median_ns",
+        "p99_ns",
+        "bytes_per_step",
+        "deepest_overlap_m",
+        "height_kept",
+        "energy_kept",
+        "pairs",
+        "contacts",
+        "impacts",
+        "evaluations",
+        "rows"
+    };
 
     private BenchCsv() {}
 
     /** A head and a line for each scene, engine and round. */
     static List<String> lines(List<Run> runs) {
-        Stream<String> head =
-                Stream.of(Csv.line(Stream.concat(KEYS.stream(), Sample.FIELDS.stream()).toArray()));
-        return Stream.concat(head, runs.stream().map(BenchCsv::line)).toList();
+        Stream<String> lines = runs.stream().map(BenchCsv::line);
+        return Stream.concat(Stream.of(Csv.line(HEAD)), lines).toList();
     }
 
     private static String line(Run run) {
-        Stream<Object> keys = Stream.of(run.scene(), run.engine(), run.round());
-        return Csv.line(Stream.concat(keys, values(run)).toArray());
-    }
-
-    /** No work is told by other engines: that is no 0. */
-    private static Stream<Object> values(Run run) {
-        List<Object> fields = run.sample().fields();
-        if (run.engine().equals(RigiBoEngine.NAME)) {
-            return fields.stream();
+        Object[] cells = Fields.of(run).toArray();
+        if (!run.engine().equals(RigiBoEngine.NAME)) {
+            // No work is told by other engines: that is no 0.
+            int told = cells.length - (int) Fields.of(Work.NONE).count();
+            Arrays.fill(cells, told, cells.length, "");
         }
-        int told = fields.size() - Sample.WORK_FIELDS;
-        Stream<Object> untold = Stream.generate(() -> "");
-        return Stream.concat(fields.subList(0, told).stream(), untold.limit(Sample.WORK_FIELDS));
+        return Csv.line(cells);
     }
 }

@@ -3,6 +3,7 @@ package rigibo.lab.bench;
 import rigibo.backend.Pool;
 import rigibo.lab.bench.probe.BenchProbe;
 import rigibo.lab.bench.probe.Sample;
+import rigibo.lab.child.Fields;
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.engine.MeasuredClasses;
@@ -91,7 +92,7 @@ public final class BenchStudy {
     }
 
     private Run found(Task task) {
-        Sample sample = Sample.parse(kept.of(task.name()).orElseThrow());
+        Sample sample = Fields.parse(Sample.class, kept.of(task.name()).orElseThrow());
         return new Run(task.scene().name(), task.engine(), task.round(), sample);
     }
 }

@@ -63,6 +63,13 @@ public final class ClassFiles {
         return files.keySet();
     }
 
+    /** These and others. */
+    public ClassFiles and(ClassFiles others) {
+        Map<String, byte[]> more = new TreeMap<>(files);
+        more.putAll(others.files);
+        return new ClassFiles(more);
+    }
+
     /** The same without some of them. */
     public ClassFiles without(List<String> names) {
         Map<String, byte[]> fewer = new TreeMap<>(files);

@@ -4,8 +4,8 @@ import rigibo.backend.ContactEvent;
 import rigibo.backend.Pool;
 import rigibo.backend.RayHit;
 import rigibo.backend.RigidBody;
-import rigibo.backend.StepReport;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.child.Work;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -103,13 +103,7 @@ final class RigiBoWorld implements World {
 
     @Override
     public Work lastStep() {
-        StepReport report = pool.report();
-        return new Work(
-                report.pairs(),
-                report.contacts(),
-                report.impacts(),
-                report.evaluations(),
-                report.rows());
+        return Work.of(pool.report());
     }
 
     @Override

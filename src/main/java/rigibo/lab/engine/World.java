@@ -1,6 +1,7 @@
 package rigibo.lab.engine;
 
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.child.Work;
 
 /** A scene in some engine. Bodies are numbered from 0 on, as they were added. */
 public interface World extends AutoCloseable {

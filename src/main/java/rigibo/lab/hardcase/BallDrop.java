@@ -1,6 +1,7 @@
 package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
+import rigibo.lab.child.Work;
 import rigibo.lab.truth.Bounces;
 import rigibo.lab.truth.Solid;
 
@@ -28,7 +29,8 @@ final class BallDrop implements Scenes {
                 drop(trial, new Bounces(Bounces.heightOfFall(fall), e), e);
             }
         }
-        double perImpact = trial.work().evaluations() / Math.max(1.0, trial.work().impacts());
+        Work work = trial.work().all();
+        double perImpact = work.evaluations() / Math.max(1.0, work.impacts());
         trial.measure("evaluations per impact", perImpact, "", MANY_EVALUATIONS);
     }
 

@@ -36,7 +36,7 @@ final class Billiard implements Scenes {
                 .run(() -> trial.measure("speed changed", speedChange(disc), "of v", limits));
         double time = Hour.STEPS * Trial.DT;
         double bounces = ROOM.bouncesPerSecond() * time;
-        double missing = Math.abs(trial.work().impacts() - bounces);
+        double missing = Math.abs(trial.work().all().impacts() - bounces);
         trial.measure("bounces too many or too few", missing, "bounces", 2, 1e-3 * bounces);
         trial.report("place after an hour", ROOM.off(disc.x(), disc.y(), time), "of L");
     }

@@ -44,8 +44,7 @@ final class ButtedBoxes implements Scenes {
         double y = body.y();
         while (pool.time() < WAY / speed) {
             pool.step();
-            double change = Math.abs(body.velocityX() / speed - 1);
-            trial.measure("speed changed", change, "of v", 1e-6);
+            trial.relativeError("speed changed", body.velocityX(), speed, "of v", 1e-6);
             trial.measure("height changed", Math.abs(body.y() - y), "m", Trial.TOLERATED_OVERLAP);
         }
     }

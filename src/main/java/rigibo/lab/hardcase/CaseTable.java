@@ -1,5 +1,7 @@
 package rigibo.lab.hardcase;
 
+import rigibo.lab.child.Work;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -81,7 +83,7 @@ public final class CaseTable {
     }
 
     private static String csv(HardCase.Result result, Measure measure) {
-        Work work = result.work();
+        Work work = result.work().all();
         return List.of(
                         result.hardCase().row(),
                         quoted(result.hardCase().title()),
@@ -93,7 +95,7 @@ public final class CaseTable {
                         measure.margin(),
                         measure.passes(),
                         quoted(measure.where()),
-                        work.steps(),
+                        result.work().steps(),
                         work.pairs(),
                         work.impacts(),
                         work.evaluations(),

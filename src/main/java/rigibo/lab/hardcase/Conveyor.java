@@ -62,9 +62,9 @@ final class Conveyor implements Scenes {
                 error = Math.max(error, missing);
             }
         }
-        trial.measure("slip time", Math.abs(taken / slipTime - 1), "of T", 1e-4, 1e-2);
+        trial.relativeError("slip time", taken, slipTime, "of T", 1e-4, 1e-2);
         double way = body.x() - end * (pool.time() - slipTime);
-        trial.measure("slip way", Math.abs(way / slipWay - 1), "of VT/2", 1e-4, 1e-2);
+        trial.relativeError("slip way", way, slipWay, "of VT/2", 1e-4, 1e-2);
         trial.measure("speed while carried", error, "m/s", 1e-9);
     }
 

@@ -88,8 +88,8 @@ final class Dominoes {
         double[] times = times(pool, struck(pool, WAVE));
         double mean = (times[LAST_STEADY] - times[FIRST_STEADY]) / (LAST_STEADY - FIRST_STEADY);
         for (int i = FIRST_STEADY; i < LAST_STEADY; i++) {
-            double off = Math.abs((times[i + 1] - times[i]) / mean - 1);
-            trial.measure("interval", off, "of the mean", 0.02, 0.05);
+            trial.relativeError(
+                    "interval", times[i + 1] - times[i], mean, "of the mean", 0.02, 0.05);
         }
         trial.report("speed of the wave", 1 / mean, "m/s");
     }

@@ -62,7 +62,7 @@ final class DrivenJoints {
             work += hinge.reactionTorque() * mean * Trial.DT;
         }
         double energy = wheel.inertia() * speed * speed / 2;
-        trial.measure("work", Math.abs(work / energy - 1), "of energy", EXACTLY);
+        trial.relativeError("work", work, energy, "of energy", EXACTLY);
     }
 
     private static void lift(Trial trial, double size, double weights, double time) {
@@ -83,8 +83,7 @@ final class DrivenJoints {
             trial.measure("speed", off, "of the motor's", EXACTLY);
             work += joint.reactionForceY() * (cabin.y() - before);
         }
-        double off = Math.abs(work / (pool.energy() - start) - 1);
-        trial.measure("work", off, "of energy", EXACTLY);
+        trial.relativeError("work", work, pool.energy() - start, "of energy", EXACTLY);
     }
 
     static void limits(Trial trial) {

@@ -3,6 +3,7 @@ package rigibo.lab.hardcase;
 import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Sleep;
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.child.Work;
 
 /**
  * Piles at 10⁷ and 10⁸ m. Truth: the laws do not know where the origin is; neighbouring doubles are
@@ -26,11 +27,11 @@ final class FarPiles implements Scenes {
 
     private static void compare(Trial trial, String name, Scene pile) {
         trial.variant(name + " at the origin");
-        Costs near = costs(trial, pile);
+        Work near = work(trial, pile);
         trial.variant(name + " at " + FAR + " m");
-        Costs far = costs(trial, Piles.shifted(pile, FAR));
-        double work = far.work() / Math.max(near.work(), near.contacts());
-        trial.measure("work at 1e7 m", work, "of that at 0", MOST_WORK);
+        Work far = work(trial, Piles.shifted(pile, FAR));
+        double more = (double) far.solved() / Math.max(near.solved(), near.contacts());
+        trial.measure("work at 1e7 m", more, "of that at 0", MOST_WORK);
         trial.variant(name + " at " + FARTHEST + " m");
         Scene farthest = Piles.shifted(pile, FARTHEST);
         StagedScene awake = new StagedScene(trial, farthest);
@@ -42,12 +43,12 @@ final class FarPiles implements Scenes {
         trial.measure("awake at 1e8 m", count, "bodies", AWAKE);
     }
 
-    private static Costs costs(Trial trial, Scene scene) {
+    private static Work work(Trial trial, Scene scene) {
         StagedScene stage = new StagedScene(trial, scene);
-        Costs sum = new Costs(0, 0);
+        Work sum = Work.NONE;
         while (stage.pool().time() < COUNTED) {
             stage.step();
-            sum = sum.plus(Costs.of(stage.pool().pool().report()));
+            sum = sum.plus(Work.of(stage.pool().pool().report()));
         }
         return sum;
     }

@@ -39,8 +39,7 @@ final class FreeFlight implements Scenes {
             trial.measure("place", error, "of way", 1e-10, 1e-9);
             if (spin != 0) {
                 double turned = spin * t;
-                trial.measure(
-                        "angle", Math.abs(ball.angle() / turned - 1), "of angle", 1e-10, 1e-9);
+                trial.relativeError("angle", ball.angle(), turned, "of angle", 1e-10, 1e-9);
             }
         }
     }

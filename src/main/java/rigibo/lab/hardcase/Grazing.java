@@ -47,7 +47,7 @@ final class Grazing implements Scenes {
         double off = Math.hypot(disc.velocityX() - vx, disc.velocityY() - vy);
         trial.measure("velocity after a graze", off / SPEED, "of v", 1e-4, 2e-2);
         double speed = Math.hypot(disc.velocityX(), disc.velocityY());
-        trial.measure("speed changed by a graze", Math.abs(speed / SPEED - 1), "of v", 1e-9);
+        trial.relativeError("speed changed by a graze", speed, SPEED, "of v", 1e-9);
     }
 
     private static RigidBody passCorner(Trial trial, double clearance, double phase) {

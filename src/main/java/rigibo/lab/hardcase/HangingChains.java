@@ -128,10 +128,10 @@ final class HangingChains {
             }
             double leftTruth = Math.hypot(pull, first);
             double rightTruth = Math.hypot(pull, carried - first);
-            double off = Math.abs(left.reactionForce() / leftTruth - 1);
-            trial.measure("tension, left", off, "of truth", forces);
-            off = Math.abs(right.reactionForce() / rightTruth - 1);
-            trial.measure("tension, right", off, "of truth", forces);
+            trial.relativeError(
+                    "tension, left", left.reactionForce(), leftTruth, "of truth", forces);
+            trial.relativeError(
+                    "tension, right", right.reactionForce(), rightTruth, "of truth", forces);
         }
     }
 
@@ -190,8 +190,12 @@ final class HangingChains {
         }
         if (angle == 0) {
             double truth = (ratio + links) * mass * Trial.GRAVITY;
-            double off = Math.abs(pool.pool().joints().get(0).reactionForce() / truth - 1);
-            trial.measure("reaction", off, "of truth", REACTION);
+            trial.relativeError(
+                    "reaction",
+                    pool.pool().joints().get(0).reactionForce(),
+                    truth,
+                    "of truth",
+                    REACTION);
         }
     }
 
@@ -255,8 +259,12 @@ final class HangingChains {
         pool.run(3);
         double weight = pieces * before.mass() * Trial.GRAVITY;
         Joint wall = pool.pool().joints().get(0);
-        double off = Math.abs(wall.reactionTorque() / (weight * pieces * length / 2) - 1);
-        trial.measure("moment at the wall", off, "of truth", MOMENT);
+        trial.relativeError(
+                "moment at the wall",
+                wall.reactionTorque(),
+                weight * pieces * length / 2,
+                "of truth",
+                MOMENT);
         pool.measureJoints();
     }
 }

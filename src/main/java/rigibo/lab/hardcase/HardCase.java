@@ -60,9 +60,10 @@ public record HardCase(
         return runOnce(preset, UnaryOperator.identity());
     }
 
-    /** Runs a few variants of the case once, with each body put together of parts. */
-    public Result runInParts(Preset preset) {
-        return runOnce(preset, InParts::of);
+    /** Runs a few variants of the case once, with other bodies in the place of the case's. */
+    Result runOnce(Preset preset, UnaryOperator<BodyDefinition> made) {
+        Trial trial = trial(preset, Sampling.USUAL, made, 1);
+        return new Result(this, preset, trial.measures(), trial.work());
     }
 
     /**
@@ -71,11 +72,6 @@ public record HardCase(
      */
     public long states(Preset preset) {
         return trial(preset, Sampling.USUAL, UnaryOperator.identity(), 1).hash();
-    }
-
-    private Result runOnce(Preset preset, UnaryOperator<BodyDefinition> made) {
-        Trial trial = trial(preset, Sampling.USUAL, made, 1);
-        return new Result(this, preset, trial.measures(), trial.work());
     }
 
     private Trial trial(
@@ -88,7 +84,7 @@ public record HardCase(
     /** What came of a run that broke off. */
     public Result broken(Preset preset, Throwable cause) {
         Measure end = new Measure("runs that broke off", 1, 0, "runs", cause.toString());
-        return new Result(this, preset, List.of(end), new Work());
+        return new Result(this, preset, List.of(end), CaseWork.NONE);
     }
 
     /**
@@ -99,7 +95,7 @@ public record HardCase(
      * @param measures the case's own first, then the invariants
      * @param work what the first of the two runs cost
      */
-    public record Result(HardCase hardCase, Preset preset, List<Measure> measures, Work work) {
+    public record Result(HardCase hardCase, Preset preset, List<Measure> measures, CaseWork work) {
 
         public boolean passes() {
             return measures.stream().allMatch(Measure::passes);

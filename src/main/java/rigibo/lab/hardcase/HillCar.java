@@ -131,7 +131,7 @@ final class HillCar {
 
     private static void measure(Trial trial, String name, Car car, RigidBody wheel, double truth) {
         double load = car.pool().impulseBetween(wheel, car.slope()) / Trial.DT;
-        trial.measure(name, Math.abs(load / truth - 1), "of truth", JointLimits.FORCE);
+        trial.relativeError(name, load, truth, "of truth", JointLimits.FORCE);
     }
 
     private static boolean climbs(

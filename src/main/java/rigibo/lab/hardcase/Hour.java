@@ -1,5 +1,7 @@
 package rigibo.lab.hardcase;
 
+import rigibo.lab.child.Work;
+
 /**
  * An hour of simulated time. Truth: once warm, a step takes nothing from the heap, and the last
  * minute works no more than the second. What counts here is work and not time, which is the
@@ -47,8 +49,8 @@ final class Hour {
         for (int i = 0; i < STEPS_A_MINUTE; i++) {
             pool.step();
         }
-        Work work = trial.work();
-        long sum = work.pairs() + work.impacts() + work.evaluations() + work.rows();
+        Work work = trial.work().all();
+        long sum = work.pairs() + work.solved();
         long ofMinute = sum - workBefore;
         workBefore = sum;
         return ofMinute;

@@ -25,13 +25,13 @@ final class IceAndRubber implements Scenes {
         trial.variant("slope of ice");
         double truth = Trial.GRAVITY * (Math.sin(ANGLE) - ICE * Math.cos(ANGLE));
         double way = wayDown(trial, ICE, 3);
-        trial.measure("way on ice", Math.abs(way / (truth * 9 / 2) - 1), "of truth", 1e-4, 1e-2);
+        trial.relativeError("way on ice", way, truth * 9 / 2, "of truth", 1e-4, 1e-2);
         trial.variant("slope of rubber");
         trial.measure("way on rubber", Math.abs(wayDown(trial, RUBBER, 3)), "m", 1e-3);
         trial.variant("0.1 mg on ice");
         RigidBody onIce = push(trial, ICE, 0.1);
         double sliding = (0.1 - ICE) * Trial.GRAVITY * 9 / 2;
-        trial.measure("way pushed", Math.abs(onIce.x() / sliding - 1), "of truth", 1e-4, 1e-2);
+        trial.relativeError("way pushed", onIce.x(), sliding, "of truth", 1e-4, 1e-2);
         trial.variant("0.1 mg on rubber");
         RigidBody held = push(trial, RUBBER, 0.1);
         trial.measure("moved though held", Math.abs(held.x()), "m", 1e-3);

@@ -104,8 +104,7 @@ final class JointImpacts {
         // In the next step the rope is taut; then it turns, at the rate that it was left with.
         pool.step();
         double along = (taut * speed) / (1 + ratio);
-        trial.measure(
-                "momentum", Math.abs(pool.pool().momentumX() / speed - 1), "of all", MOMENTUM);
+        trial.relativeError("momentum", pool.pool().momentumX(), speed, "of all", MOMENTUM);
         double angular = (aside * speed) * -1;
         double spin = pool.pool().angularMomentum();
         trial.measure("angular momentum", Math.abs(spin - angular) / speed, "of m·v", MOMENTUM);
@@ -192,8 +191,8 @@ final class JointImpacts {
         double truth = -speed + impulse / mass;
         double off = Math.abs(ball.velocityY() - truth) / speed;
         trial.measure("speed of what struck", off, "of v", MOMENTUM);
-        off = Math.abs(pool.pool().momentumY() / (mass * speed) + 1);
-        trial.measure("momentum", off, "of all", MOMENTUM);
+        double momentum = pool.pool().momentumY();
+        trial.relativeError("momentum", momentum, -(mass * speed), "of all", MOMENTUM);
         off = Math.abs(pool.pool().angularMomentum() - angular) / (mass * speed);
         trial.measure("angular momentum", off, "of m·v", MOMENTUM);
         pool.measureJoints();
@@ -216,8 +215,9 @@ final class JointImpacts {
         double off = Math.abs(ball.velocityX() - truth) / speed;
         trial.measure("speed of what struck", off, "of v", MOMENTUM);
         double angular = mass * ball.velocityX() * depth + inertia * bar.angularVelocity();
-        off = Math.abs(angular / (mass * speed * depth) - 1);
-        trial.measure("angular momentum about the hinge", off, "of all", MOMENTUM);
+        double brought = mass * speed * depth;
+        trial.relativeError(
+                "angular momentum about the hinge", angular, brought, "of all", MOMENTUM);
         pool.measureJoints();
     }
 }

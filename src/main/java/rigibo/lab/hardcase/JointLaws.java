@@ -20,6 +20,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 
 /**
  * J16: what joined bodies do depends on nothing but the scene. A chain of bars with limits, a
@@ -58,10 +59,7 @@ final class JointLaws {
         }
 
         List<RigidBody> build(WatchedPool pool) {
-            List<Integer> order = new ArrayList<>();
-            for (int i = 0; i <= LINKS; i++) {
-                order.add(i);
-            }
+            List<Integer> order = new ArrayList<>(range());
             if (this.order != 0) {
                 Collections.shuffle(order, new Random(this.order));
             }
@@ -79,11 +77,7 @@ final class JointLaws {
         }
 
         private static List<Integer> range() {
-            List<Integer> range = new ArrayList<>();
-            for (int i = 0; i <= LINKS; i++) {
-                range.add(i);
-            }
-            return range;
+            return IntStream.rangeClosed(0, LINKS).boxed().toList();
         }
 
         private BodyDefinition link(int i) {
@@ -157,11 +151,7 @@ final class JointLaws {
 
     private static void same(
             Trial trial, String how, double[] truth, double[] places, double most) {
-        double worst = 0;
-        for (int i = 0; i < truth.length; i++) {
-            worst = Math.max(worst, Math.abs(truth[i] - places[i]));
-        }
-        trial.measure("off " + how, worst, "m, rad", most);
+        trial.measure("off " + how, Places.farthestApart(truth, places), "m, rad", most);
     }
 
     private static double[] besideStrangers(Trial trial, Chain chain) {

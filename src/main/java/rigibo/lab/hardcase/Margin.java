@@ -9,9 +9,6 @@ package rigibo.lab.hardcase;
  */
 public record Margin(String row, Preset preset, Measure worst) {
 
-    private static final String BETWEEN_FIELDS = "\t";
-    private static final int FIELDS = 6;
-
     static Margin of(HardCase.Result result) {
         return new Margin(result.hardCase().row(), result.preset(), result.worst());
     }
@@ -19,33 +16,5 @@ public record Margin(String row, Preset preset, Measure worst) {
     /** Whether the case keeps all of its limits. */
     boolean passes() {
         return worst.passes();
-    }
-
-    /** All but where it was seen, in one line for a log. */
-    String line() {
-        return String.join(
-                BETWEEN_FIELDS,
-                row,
-                preset.name(),
-                worst.name(),
-                String.valueOf(worst.figure()),
-                String.valueOf(worst.limit()),
-                worst.unit());
-    }
-
-    /**
-     * What a line says.
-     *
-     * @throws IllegalArgumentException when it is cut short or not such a line
-     */
-    static Margin parse(String line) {
-        String[] field = line.split(BETWEEN_FIELDS, -1);
-        if (field.length != FIELDS) {
-            throw new IllegalArgumentException("not a margin: '" + line + "'");
-        }
-        double figure = Double.parseDouble(field[3]);
-        double limit = Double.parseDouble(field[4]);
-        Measure worst = new Measure(field[2], figure, limit, field[5], "");
-        return new Margin(field[0], Preset.valueOf(field[1]), worst);
     }
 }

@@ -2,6 +2,7 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.Pool;
 import rigibo.lab.child.ClassFiles;
+import rigibo.lab.child.Fields;
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.Progress;
 
@@ -42,11 +43,11 @@ public final class Margins {
         Progress progress = new Progress(missing.count(), tell);
         missing.run(
                 result -> {
-                    kept.add(Cases.name(result), Margin.of(result).line());
+                    kept.add(Cases.name(result), Fields.line(Margin.of(result)));
                     progress.done();
                 });
         return cases.names().stream()
-                .map(name -> Margin.parse(kept.of(name).orElseThrow()))
+                .map(name -> Fields.parse(Margin.class, kept.of(name).orElseThrow()))
                 .toList();
     }
 }

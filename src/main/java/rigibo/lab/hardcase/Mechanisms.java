@@ -175,10 +175,10 @@ final class Mechanisms {
         while (pool.time() < 2) {
             pool.step();
             double truth = alpha * pool.time() * pool.time() / 2;
-            double off = Math.abs(one.angle() / truth - 1);
-            trial.measure("angle", off, "of truth", JointLimits.PLACE);
-            off = Math.abs(two.angle() * ratio / truth + 1);
-            trial.measure("angle of the other", off, "of truth", JointLimits.PLACE);
+            Limits limits = JointLimits.PLACE;
+            trial.relativeError("angle", one.angle(), truth, "of truth", limits);
+            double other = two.angle() * ratio;
+            trial.relativeError("angle of the other", other, -truth, "of truth", limits);
         }
     }
 

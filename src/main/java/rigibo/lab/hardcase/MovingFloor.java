@@ -2,6 +2,7 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.RigidBody;
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.child.Work;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -41,16 +42,16 @@ final class MovingFloor implements Scenes {
         if (rest.isStanding()) {
             trial.measure("creeps in 3 s", creep, "m", MOST_OFF);
         }
-        double more = Math.abs(moving.costs.work() - rest.costs.work());
-        double work = more / Math.max(rest.costs.work(), rest.costs.contacts());
-        trial.measure("work", work, "of that at rest", MOST_WORK);
+        double more = Math.abs(moving.work.solved() - rest.work.solved());
+        double share = more / Math.max(rest.work.solved(), rest.work.contacts());
+        trial.measure("work", share, "of that at rest", MOST_WORK);
     }
 
     /** Where all bodies are against the first, step by step, and what it costs. */
     private static final class Course {
 
         private final List<double[]> places = new ArrayList<>();
-        private Costs costs = new Costs(0, 0);
+        private Work work = Work.NONE;
 
         Course(Trial trial, Scene scene) {
             StagedScene stage = new StagedScene(trial, scene);
@@ -58,7 +59,7 @@ final class MovingFloor implements Scenes {
             while (stage.pool().time() < LATE) {
                 stage.step();
                 places.add(against(floor, stage.dynamic()));
-                costs = costs.plus(Costs.of(stage.pool().pool().report()));
+                work = work.plus(Work.of(stage.pool().pool().report()));
             }
         }
 
@@ -75,23 +76,16 @@ final class MovingFloor implements Scenes {
         double off(Course other, int from, int to) {
             double most = 0;
             for (int step = from; step < to; step++) {
-                for (int i = 0; i < places.get(step).length; i++) {
-                    double off = places.get(step)[i] - other.places.get(step)[i];
-                    most = Math.max(most, Math.abs(off));
-                }
+                double[] others = other.places.get(step);
+                most = Math.max(most, Places.farthestApart(places.get(step), others));
             }
             return most;
         }
 
         /** Whether nothing moves. */
         boolean isStanding() {
-            double[] first = places.get(0);
             double[] last = places.get(places.size() - 1);
-            double most = 0;
-            for (int i = 0; i < first.length; i++) {
-                most = Math.max(most, Math.abs(first[i] - last[i]));
-            }
-            return most < MOST_OFF.exact();
+            return Places.farthestApart(places.get(0), last) < MOST_OFF.exact();
         }
     }
 }

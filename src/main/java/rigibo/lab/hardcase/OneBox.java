@@ -26,7 +26,7 @@ final class OneBox implements Scenes {
             double drift = Math.hypot(box.x() - x, box.y() - y);
             trial.measure("drift", drift, "m", 1e-9, 1e-4);
             double impulse = pool.impulseBetween(floor, box);
-            trial.measure("impulse", Math.abs(impulse / weight - 1), "of mg·dt", 1e-6, 1e-2);
+            trial.relativeError("impulse", impulse, weight, "of mg·dt", 1e-6, 1e-2);
             trial.measure("speed", Math.hypot(box.velocityX(), box.velocityY()), "m/s", 1e-6);
         }
         double atRest = 2 * Trial.TOLERATED_OVERLAP;

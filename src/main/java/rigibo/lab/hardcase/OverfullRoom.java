@@ -6,6 +6,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.child.Work;
 import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
@@ -89,7 +90,7 @@ final class OverfullRoom implements Scenes {
     private static double work(WatchedPool pool, double seconds) {
         double work = 0;
         for (int i = 0; i < Math.round(seconds / Trial.DT); i++) {
-            work += Costs.of(pool.step()).work();
+            work += Work.of(pool.step()).solved();
         }
         return work;
     }

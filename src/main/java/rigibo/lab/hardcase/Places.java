@@ -18,6 +18,15 @@ final class Places {
         y = bodies.stream().mapToDouble(RigidBody::y).toArray();
     }
 
+    /** The greatest difference of two numbers that have the same index. */
+    static double farthestApart(double[] some, double[] others) {
+        double most = 0;
+        for (int i = 0; i < some.length; i++) {
+            most = Math.max(most, Math.abs(some[i] - others[i]));
+        }
+        return most;
+    }
+
     /** How far the one that has moved farthest since is from where it was, m. */
     double farthest() {
         double most = 0;

@@ -42,8 +42,8 @@ final class QuadraticDrag implements Scenes {
             double x = Trial.GRAVITY * i * Trial.DT / TERMINAL;
             double v = TERMINAL * Math.tanh(x);
             double way = TERMINAL * TERMINAL / Trial.GRAVITY * Math.log(Math.cosh(x));
-            trial.measure("speed", Math.abs(-body.velocityY() / v - 1), "relative", 1e-6, 1e-3);
-            trial.measure("way", Math.abs(-body.y() / way - 1), "relative", 1e-6, 1e-3);
+            trial.relativeError("speed", -body.velocityY(), v, "relative", 1e-6, 1e-3);
+            trial.relativeError("way", -body.y(), way, "relative", 1e-6, 1e-3);
         }
     }
 }

@@ -39,8 +39,7 @@ final class Rack implements Scenes {
             trial.measure("cue off its line", Math.abs(cue.y()), "m", 1e-9);
         }
         trial.require("the rack was struck", cue.velocityX() < SPEED);
-        double change = Math.abs(pool.pool().kineticEnergy() / energy - 1);
-        trial.measure("energy changed", change, "of E", 1e-9);
+        trial.relativeError("energy changed", pool.pool().kineticEnergy(), energy, "of E", 1e-9);
     }
 
     private static double asymmetry(List<RigidBody[]> rows) {

@@ -29,8 +29,7 @@ final class ReboundThroughAir implements Scenes {
             double squared = TERMINAL * TERMINAL;
             double share = 1 - Math.exp(-2 * Trial.GRAVITY * height / squared);
             double apex = squared / (2 * Trial.GRAVITY) * Math.log1p(share);
-            double error = Math.abs(apexOf(trial, height) / apex - 1);
-            trial.measure("apex", error, "relative", 1e-6, 1e-5);
+            trial.relativeError("apex", apexOf(trial, height), apex, "relative", 1e-6, 1e-5);
         }
     }
 

@@ -52,12 +52,12 @@ final class RockingBlock implements Scenes {
         double before = energy(block, height);
         for (int impact = 0; impact < IMPACTS && before > least; impact++) {
             double[] swing = swing(pool, block, height);
-            trial.measure("energy between impacts", off(swing[0], before), "of it", LIMITS);
+            trial.relativeError("energy between impacts", swing[0], before, "of it", LIMITS);
             if (swing[1] < least) {
                 return;
             }
             double ratio = Math.sqrt(swing[1] / swing[0]);
-            trial.measure("spin kept by an impact", off(ratio, truth), "of truth", LIMITS);
+            trial.relativeError("spin kept by an impact", ratio, truth, "of truth", LIMITS);
             before = swing[1];
         }
     }
@@ -86,9 +86,5 @@ final class RockingBlock implements Scenes {
     private static double energyOfLift(double lift, double width, double height) {
         double angle = Math.asin(lift / width);
         return (width * Math.sin(angle) + height * Math.cos(angle) - height) / 2;
-    }
-
-    private static double off(double value, double truth) {
-        return Math.abs(value / truth - 1);
     }
 }

@@ -39,10 +39,8 @@ final class RollingDown implements Scenes {
         }
         double t = pool.time();
         double a = 2 * Trial.GRAVITY * Math.sin(b) / 3;
-        trial.measure(
-                "acceleration", Math.abs(descent.speed() / (a * t) - 1), "of truth", 1e-5, 5e-3);
-        double off = Math.abs(descent.way() / (a * t * t / 2) - 1);
-        trial.measure("way", off, "of truth", 1e-5, 5e-3);
+        trial.relativeError("acceleration", descent.speed(), a * t, "of truth", 1e-5, 5e-3);
+        trial.relativeError("way", descent.way(), a * t * t / 2, "of truth", 1e-5, 5e-3);
         trial.measure("slip", slip, "m/s", 1e-6);
     }
 }

@@ -33,15 +33,14 @@ final class RollingToStop implements Scenes {
         double early = disc.velocityX();
         pool.run(4);
         double late = disc.velocityX();
-        double error = Math.abs((early - late) / 4 / braking - 1);
-        trial.measure("deceleration", error, "of truth", 1e-4, 1e-2);
+        trial.relativeError("deceleration", (early - late) / 4, braking, "of truth", 1e-4, 1e-2);
         double reverse = 0;
         while (pool.time() < 2 * SPEED / braking) {
             pool.step();
             reverse = Math.max(reverse, -disc.velocityX());
         }
         double way = SPEED * SPEED / (2 * braking);
-        trial.measure("way", Math.abs((disc.x() + 5) / way - 1), "of truth", 1e-4, 1e-2);
+        trial.relativeError("way", disc.x() + 5, way, "of truth", 1e-4, 1e-2);
         trial.measure("backwards", reverse, "m/s", 1e-6);
         trial.measure("speed at the end", Math.abs(disc.velocityX()), "m/s", 1e-6);
     }

@@ -25,8 +25,7 @@ final class RoundRolls implements Scenes {
         trial.variant("disc");
         RigidBody disc = fall(trial, new Circle(0.5), 0.5);
         double rolling = 2 * SPEED / 3;
-        double lost = Math.abs(disc.velocityX() / rolling - 1);
-        trial.measure("rolling speed", lost, "of 2v/3", 1e-2);
+        trial.relativeError("rolling speed", disc.velocityX(), rolling, "of 2v/3", 1e-2);
         double slip = Math.abs(disc.velocityX() + disc.angularVelocity() / 2);
         trial.measure("slip of the rolling disc", slip, "m/s", 1e-6);
         double before = Double.POSITIVE_INFINITY;

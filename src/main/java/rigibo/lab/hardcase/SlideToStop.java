@@ -31,8 +31,8 @@ final class SlideToStop implements Scenes {
             reverse = Math.max(reverse, -v);
         }
         double way = SPEED * SPEED / (2 * braking);
-        trial.measure("way", Math.abs((box.x() + 5) / way - 1), "of d", 1e-5, 5e-3);
-        trial.measure("time", Math.abs(stop / (SPEED / braking) - 1), "of t", 1e-5, 5e-3);
+        trial.relativeError("way", box.x() + 5, way, "of d", 1e-5, 5e-3);
+        trial.relativeError("time", stop, SPEED / braking, "of t", 1e-5, 5e-3);
         trial.measure("backwards", reverse, "m/s", 1e-6);
     }
 }

@@ -144,7 +144,7 @@ final class SpringJoints {
                                         hook, body, JointFrame.CENTRE, JointFrame.CENTRE, 1, soft));
         pool.run(10);
         double truth = mass * Trial.GRAVITY / joint.stiffness();
-        trial.measure("deflection", Math.abs((-1 - body.y()) / truth - 1), "of mg/k", SHARE);
+        trial.relativeError("deflection", -1 - body.y(), truth, "of mg/k", SHARE);
     }
 
     /**
@@ -159,6 +159,6 @@ final class SpringJoints {
         pool.run(Math.max(10, Math.log(1 / AT_REST) / decay));
         double angle = joint.angle();
         double truth = body.mass() * Trial.GRAVITY * Math.cos(angle) / joint.stiffness();
-        trial.measure("deflection", Math.abs(-angle / truth - 1), "of mg/k", SHARE);
+        trial.relativeError("deflection", -angle, truth, "of mg/k", SHARE);
     }
 }

@@ -33,8 +33,8 @@ record Stack(int count) implements Scenes {
         judge(trial, pool, bodies);
         double unit = bodies.get(1).mass() * Trial.GRAVITY * Trial.DT * STEPS_WEIGHED;
         for (int i = 0; i < count; i++) {
-            double error = Math.abs(load[i] / ((count - i) * unit) - 1);
-            trial.measure("load on a contact", error, "of truth", 1e-6, 1e-2);
+            trial.relativeError(
+                    "load on a contact", load[i], (count - i) * unit, "of truth", 1e-6, 1e-2);
         }
     }
 

@@ -104,7 +104,7 @@ final class Swings {
                     first = crossings++ == 0 ? last : first;
                 }
             }
-            trial.measure("period", Math.abs((last - first) / swings / period - 1), "", PERIOD);
+            trial.relativeError("period", (last - first) / swings, period, "", PERIOD);
             trend.measure(trial);
         }
 
@@ -201,20 +201,11 @@ final class Swings {
                 ends[i][look + 1] = end.y();
             }
         }
-        trial.measure("way", apart(ends[2], ends[3]), "m", JointLimits.PLACE);
-        double coarse = apart(ends[0], ends[1]);
-        double fine = apart(ends[1], ends[2]);
+        trial.measure("way", Places.farthestApart(ends[2], ends[3]), "m", JointLimits.PLACE);
+        double coarse = Places.farthestApart(ends[0], ends[1]);
+        double fine = Places.farthestApart(ends[1], ends[2]);
         double order = fine < SOLVED ? 2 : Math.log(coarse / fine) / Math.log(2);
         trial.measure("order below 2", Math.max(0, 2 - order), "", ORDER_LACKING);
-    }
-
-    /** The farthest that two ways are apart at any look, along x or y, m. */
-    private static double apart(double[] one, double[] other) {
-        double most = 0;
-        for (int i = 0; i < one.length; i++) {
-            most = Math.max(most, Math.abs(one[i] - other[i]));
-        }
-        return most;
     }
 
     /** Two bars, the lower one bent back by a third of the angle; answers the lower one. */

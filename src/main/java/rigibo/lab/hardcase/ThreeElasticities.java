@@ -37,8 +37,13 @@ final class ThreeElasticities implements Scenes {
         double tens = BOUNCES / 10.0;
         while (pool.time() < truth.impactTime(BOUNCES)) {
             pool.step();
-            double error = Math.abs(Bounces.apexOf(box.y() - 0.5, box.velocityY()) / HEIGHT - 1);
-            trial.measure("apex", error, "of H", 1e-6 * tens, 5e-3 * tens);
+            trial.relativeError(
+                    "apex",
+                    Bounces.apexOf(box.y() - 0.5, box.velocityY()),
+                    HEIGHT,
+                    "of H",
+                    1e-6 * tens,
+                    5e-3 * tens);
         }
     }
 

@@ -37,8 +37,8 @@ final class ThrustAndTorque implements Scenes {
             pool.step();
             double t = i * Trial.DT;
             double spin = torque * t / INERTIA;
-            trial.measure("spin", Math.abs(box.angularVelocity() / spin - 1), "relative", LIMIT);
-            trial.measure("angle", Math.abs(box.angle() / (spin * t / 2) - 1), "relative", LIMIT);
+            trial.relativeError("spin", box.angularVelocity(), spin, "relative", LIMIT);
+            trial.relativeError("angle", box.angle(), spin * t / 2, "relative", LIMIT);
         }
     }
 
@@ -54,7 +54,7 @@ final class ThrustAndTorque implements Scenes {
             double speed = Math.hypot(fx, fy) * t / MASS;
             trial.measure("velocity", off / speed, "relative", LIMIT);
             double spin = (rx * fy - ry * fx) * t / INERTIA;
-            trial.measure("spin", Math.abs(box.angularVelocity() / spin - 1), "relative", LIMIT);
+            trial.relativeError("spin", box.angularVelocity(), spin, "relative", LIMIT);
         }
     }
 }

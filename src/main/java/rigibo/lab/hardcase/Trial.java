@@ -1,5 +1,6 @@
 package rigibo.lab.hardcase;
 
+import rigibo.backend.StepReport;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.setup.BodyDefinition;
@@ -45,7 +46,7 @@ public final class Trial {
     private final int workers;
     private final Map<String, Measure> measures = new LinkedHashMap<>();
     private final Map<String, Measure> invariants = new LinkedHashMap<>();
-    private final Work work = new Work();
+    private CaseWork work = CaseWork.NONE;
     private String variant = "";
     private long hash;
 
@@ -140,6 +141,22 @@ public final class Trial {
         measure(name, figure, unit, limit, limit);
     }
 
+    /** Keeps by which share a value is off its truth, with a limit for EXACT and one for others. */
+    void relativeError(
+            String name, double value, double truth, String unit, double exact, double game) {
+        relativeError(name, value, truth, unit, Limits.of(game, exact));
+    }
+
+    /** Keeps by which share a value is off its truth, with limits by preset. */
+    void relativeError(String name, double value, double truth, String unit, Limits limits) {
+        measure(name, Math.abs(value / truth - 1), unit, limits);
+    }
+
+    /** Keeps by which share a value is off its truth, with the same limit for all presets. */
+    void relativeError(String name, double value, double truth, String unit, double limit) {
+        relativeError(name, value, truth, unit, limit, limit);
+    }
+
     /** Keeps a figure that has no limit. */
     void report(String name, double figure, String unit) {
         measure(name, figure, unit, Double.POSITIVE_INFINITY);
@@ -204,7 +221,12 @@ public final class Trial {
         return all;
     }
 
-    Work work() {
+    /** Adds what a step did to what the case costs. */
+    void count(StepReport step) {
+        work = work.plus(step);
+    }
+
+    CaseWork work() {
         return work;
     }
 

@@ -188,7 +188,7 @@ final class WatchedPool {
         StepReport report = pool.step(dt);
         allocated += ThreadUse.bytes() - before;
         steps++;
-        trial.work().add(report);
+        trial.count(report);
         watch(dt);
         if (pool.bodies().size() <= FEW || steps % STEPS_PER_HASH == 0) {
             trial.fold(pool.stateHash());

@@ -47,7 +47,7 @@ final class WeakPush implements Scenes {
         pool.add(Earth.floor(0, 0));
         RigidBody body = pool.add(Solid.of(shape, 0, 0).at(0, 0.5));
         pool.run(HORIZON);
-        trial.measure("speed", off(body, push), "of a·t", MOST_OFF);
+        trial.relativeError("speed", body.velocityX(), push * HORIZON, "of a·t", MOST_OFF);
     }
 
     /** Touching a body of a million times its weight, on a raft of some height or on the floor. */
@@ -65,10 +65,7 @@ final class WeakPush implements Scenes {
             body.applyForce(body.mass() * push, 0, body.x(), body.y());
             pool.step();
         }
-        trial.measure("speed beside a heavy one", off(body, push), "of a·t", MOST_OFF);
-    }
-
-    private static double off(RigidBody body, double push) {
-        return Math.abs(body.velocityX() / (push * HORIZON) - 1);
+        trial.relativeError(
+                "speed beside a heavy one", body.velocityX(), push * HORIZON, "of a·t", MOST_OFF);
     }
 }

@@ -38,8 +38,8 @@ final class Wedge implements Scenes {
         }
         double weight = disc.mass() * Trial.GRAVITY * Trial.DT * STEPS_WEIGHED;
         double truth = weight / (2 * Math.sin(a));
-        trial.measure("force, right", Math.abs(onRight / truth - 1), "of N", 1e-4, 2e-2);
-        trial.measure("force, left", Math.abs(onLeft / truth - 1), "of N", 1e-4, 2e-2);
+        trial.relativeError("force, right", onRight, truth, "of N", 1e-4, 2e-2);
+        trial.relativeError("force, left", onLeft, truth, "of N", 1e-4, 2e-2);
         double limit = 2 * Trial.TOLERATED_OVERLAP;
         trial.measure("overlap at rest", pool.overlapNow(), "width", limit);
     }

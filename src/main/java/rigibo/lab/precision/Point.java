@@ -1,7 +1,7 @@
 package rigibo.lab.precision;
 
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.Setting;
-import rigibo.lab.engine.Work;
 import rigibo.lab.precision.probe.Timing;
 import rigibo.lab.problem.Errors;
 

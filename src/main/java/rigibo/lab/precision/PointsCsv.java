@@ -1,5 +1,6 @@
 package rigibo.lab.precision;
 
+import rigibo.lab.child.Fields;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.precision.probe.Timing;
 import rigibo.lab.report.Csv;
@@ -80,17 +81,14 @@ final class PointsCsv {
     }
 
     private static Stream<Object> result(Point point) {
-        return Stream.of(
-                point.errors().hasFailed() ? "" : point.errors().main(),
-                further(point.errors().others()),
-                point.errors().failure(),
-                point.steps(),
-                point.simulated(),
-                point.work().pairs(),
-                point.work().contacts(),
-                point.work().impacts(),
-                point.work().evaluations(),
-                point.work().rows());
+        Stream<Object> told =
+                Stream.of(
+                        point.errors().hasFailed() ? "" : point.errors().main(),
+                        further(point.errors().others()),
+                        point.errors().failure(),
+                        point.steps(),
+                        point.simulated());
+        return Stream.concat(told, Fields.of(point.work()));
     }
 
     private static String further(Map<String, Double> errors) {
@@ -100,13 +98,6 @@ final class PointsCsv {
     }
 
     private static Stream<Object> of(Timing took, Point point) {
-        return Stream.of(
-                took.repeats(),
-                took.cpu(),
-                took.cpuLow(),
-                took.cpuHigh(),
-                took.wall(),
-                took.bytes(),
-                point.cost());
+        return Stream.concat(Fields.of(took), Stream.of(point.cost()));
     }
 }

@@ -1,9 +1,9 @@
 package rigibo.lab.problem;
 
 import rigibo.backend.effect.Effects;
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Setting;
-import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
 
 import java.util.ArrayList;

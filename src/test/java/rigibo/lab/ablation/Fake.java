@@ -3,9 +3,9 @@ package rigibo.lab.ablation;
 import rigibo.lab.ablation.Findings.Ablation;
 import rigibo.lab.ablation.Findings.Saving;
 import rigibo.lab.ablation.Findings.UseCost;
-import rigibo.lab.ablation.probe.Counts;
 import rigibo.lab.ablation.probe.Sample;
 import rigibo.lab.ablation.probe.Share;
+import rigibo.lab.child.Work;
 
 import java.util.List;
 import java.util.stream.DoubleStream;
@@ -19,7 +19,7 @@ final class Fake {
 
     /** A run of so many ns per step in which 10 contacts had 25 rows. */
     static Sample sample(double nanos, int bits) {
-        return new Sample(nanos, 0, 0xCAFE, new Counts(12, 10, 3, 40, 25), bits);
+        return new Sample(nanos, 0, 0xCAFE, new Work(12, 10, 3, 40, 25), bits);
     }
 
     /** Twenty pairs that all took the same. */

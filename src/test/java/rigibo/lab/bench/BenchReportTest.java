@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import rigibo.lab.bench.probe.Sample;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
-import rigibo.lab.engine.Work;
+import rigibo.lab.child.Work;
 import rigibo.lab.report.Report;
 
 import java.nio.file.Path;

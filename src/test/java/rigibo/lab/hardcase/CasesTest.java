@@ -92,7 +92,7 @@ class CasesTest {
                         new Measure("near", 2, 3, "m", "there"),
                         new Measure("only told", 9, Double.POSITIVE_INFINITY, "m", ""));
         HardCase first = HardCases.all().get(0);
-        HardCase.Result result = new HardCase.Result(first, Preset.GAME, measures, new Work());
+        HardCase.Result result = new HardCase.Result(first, Preset.GAME, measures, CaseWork.NONE);
         assertThat(CaseTable.line(result)).startsWith("ok").contains("near", "x 1.50", "rows 0");
         assertThat(CaseTable.failures(result)).isEmpty();
         assertThat(CaseTable.csv(List.of(result)))

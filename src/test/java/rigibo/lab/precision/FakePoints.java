@@ -1,9 +1,9 @@
 package rigibo.lab.precision;
 
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.Line;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.Setting;
-import rigibo.lab.engine.Work;
 import rigibo.lab.precision.probe.Timing;
 import rigibo.lab.problem.Errors;
 import rigibo.lab.problem.Problem;

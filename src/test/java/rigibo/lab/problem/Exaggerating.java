@@ -2,11 +2,11 @@ package rigibo.lab.problem;
 
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Link;
 import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.Setting;
-import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
 
 import java.util.List;

@@ -1,12 +1,14 @@
 package rigibo.lab.ablation.probe;
 
-import com.sun.management.ThreadMXBean;
-
 import rigibo.backend.Pool;
 import rigibo.backend.setup.Accuracy;
+import rigibo.lab.child.Fields;
+import rigibo.lab.child.Interval;
+import rigibo.lab.child.ThreadUse;
+import rigibo.lab.child.Work;
 
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
+import java.util.stream.DoubleStream;
 
 /** The process: runs one workload and prints what it found. */
 public final class Probe {
@@ -22,8 +24,6 @@ public final class Probe {
     private static final int FEWEST_TIMED_PERIODS = 3;
     private static final int MOST_TIMED_PERIODS = 100_000;
     private static final double NANOS_PER_MILLI = 1e6;
-
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     private final Workload workload;
     private final Pool pool;
@@ -52,14 +52,14 @@ public final class Probe {
         Workload workload = new Workloads(Long.parseLong(arguments[1])).find(arguments[0]);
         double warm = Double.parseDouble(arguments[2]);
         double timed = Double.parseDouble(arguments[3]);
-        System.out.println(MARK + new Probe(workload).measure(warm, timed).line());
+        System.out.println(MARK + Fields.line(new Probe(workload).measure(warm, timed)));
     }
 
     private Sample measure(double warmMillis, double timedMillis) {
         long begun = System.nanoTime();
-        Counts counts = Counts.NONE;
+        Work work = Work.NONE;
         for (int i = 0; i < COUNTED_PERIODS; i++) {
-            counts = count(counts);
+            work = work.plus(count());
         }
         long hash = pool.stateHash();
         while (System.nanoTime() - begun < warmMillis * NANOS_PER_MILLI) {
@@ -67,17 +67,19 @@ public final class Probe {
             run();
         }
         double[][] found = time(timedMillis);
-        return new Sample(median(found[0]), least(found[1]), hash, counts, pool.bitsPerBody());
+        double nanos = Interval.of(found[0]).median();
+        double bytes = DoubleStream.of(found[1]).min().orElseThrow();
+        return new Sample(nanos, bytes, hash, work, pool.bitsPerBody());
     }
 
-    private Counts count(Counts before) {
+    private Work count() {
         poses.restore();
-        Counts counts = before;
+        Work work = Work.NONE;
         for (int i = 0; i < period; i++) {
             workload.drive().accept(pool);
-            counts = counts.plus(pool.step(STEP));
+            work = work.plus(Work.of(pool.step(STEP)));
         }
-        return counts;
+        return work;
     }
 
     private void run() {
@@ -98,31 +100,14 @@ public final class Probe {
                         && System.nanoTime() - begun < millis * NANOS_PER_MILLI) {
             poses.restore();
             // The clock may allocate, so it is asked first and last.
-            long before = processorNanos();
-            long allocated = THREADS.getCurrentThreadAllocatedBytes();
+            long before = ThreadUse.nanos();
+            long allocated = ThreadUse.bytes();
             run();
-            long taken = THREADS.getCurrentThreadAllocatedBytes() - allocated;
-            nanos[count] = (double) (processorNanos() - before) / period;
+            long taken = ThreadUse.bytes() - allocated;
+            nanos[count] = (double) (ThreadUse.nanos() - before) / period;
             bytes[count] = (double) taken / period;
             count++;
         }
         return new double[][] {Arrays.copyOf(nanos, count), Arrays.copyOf(bytes, count)};
-    }
-
-    /** What this thread has used of a processor: others that are given turns do not count. */
-    private static long processorNanos() {
-        return THREADS.isCurrentThreadCpuTimeSupported()
-                ? THREADS.getCurrentThreadCpuTime()
-                : System.nanoTime();
-    }
-
-    private static double least(double[] values) {
-        return Arrays.stream(values).min().orElseThrow();
-    }
-
-    private static double median(double[] values) {
-        Arrays.sort(values);
-        int half = values.length / 2;
-        return values.length % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
     }
 }

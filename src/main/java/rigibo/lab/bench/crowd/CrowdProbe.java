@@ -3,6 +3,7 @@ package rigibo.lab.bench.crowd;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.Flood;
 import rigibo.lab.bench.probe.StepTimes;
+import rigibo.lab.child.Fields;
 import rigibo.lab.child.ThreadUse;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
@@ -53,7 +54,7 @@ public final class CrowdProbe {
                             times.median(),
                             times.p99(),
                             deepest(world, discs) / TROUGH.radius());
-            System.out.println(MARK + point.line());
+            System.out.println(MARK + Fields.line(point));
         }
     }
 

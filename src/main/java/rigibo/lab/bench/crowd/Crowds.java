@@ -1,5 +1,6 @@
 package rigibo.lab.bench.crowd;
 
+import rigibo.lab.child.Fields;
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.engine.Engine;
@@ -51,7 +52,7 @@ public final class Crowds {
         kept.make(
                 runs, Crowds::name, run -> java.run(CrowdProbe.class, run, CrowdProbe.MARK), tell);
         return runs.stream()
-                .map(run -> CrowdPoint.parse(kept.of(name(run)).orElseThrow()))
+                .map(run -> Fields.parse(CrowdPoint.class, kept.of(name(run)).orElseThrow()))
                 .toList();
     }
 

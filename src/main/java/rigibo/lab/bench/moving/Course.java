@@ -3,8 +3,6 @@ package rigibo.lab.bench.moving;
 import rigibo.lab.bench.probe.StepTimes;
 
 import java.util.Arrays;
-import java.util.stream.Collectors;
-import java.util.stream.DoubleStream;
 
 /**
  * How a scene went in one engine.
@@ -28,59 +26,6 @@ record Course(
         double gain,
         double bytes,
         double jointError) {
-
-    private static final String BETWEEN = "\t";
-    private static final String BETWEEN_STEPS = " ";
-    private static final int FIELDS = 8;
-
-    /** In one line, for a process to print. */
-    String line() {
-        return String.join(
-                BETWEEN,
-                words(nanos),
-                words(contacts),
-                "" + lastMoving,
-                "" + deepest,
-                "" + left,
-                "" + gain,
-                "" + bytes,
-                "" + jointError);
-    }
-
-    private static String words(double[] values) {
-        return DoubleStream.of(values)
-                .mapToObj(value -> "" + Math.round(value))
-                .collect(Collectors.joining(BETWEEN_STEPS));
-    }
-
-    /**
-     * What a line says.
-     *
-     * @throws IllegalArgumentException when it is cut short or not such a line
-     */
-    static Course parse(String line) {
-        String[] field = line.split(BETWEEN, -1);
-        if (field.length != FIELDS) {
-            throw new IllegalArgumentException("not a course: '" + line + "'");
-        }
-        return new Course(
-                values(field[0]),
-                values(field[1]),
-                Integer.parseInt(field[2]),
-                Double.parseDouble(field[3]),
-                Double.parseDouble(field[4]),
-                Double.parseDouble(field[5]),
-                Double.parseDouble(field[6]),
-                Double.parseDouble(field[7]));
-    }
-
-    private static double[] values(String words) {
-        return words.isEmpty()
-                ? new double[0]
-                : Arrays.stream(words.split(BETWEEN_STEPS))
-                        .mapToDouble(Double::parseDouble)
-                        .toArray();
-    }
 
     /** StepTimes of the first steps. */
     StepTimes times(int steps) {

@@ -3,6 +3,7 @@ package rigibo.lab.bench.moving;
 import rigibo.backend.Pool;
 import rigibo.lab.bench.probe.BenchProbe;
 import rigibo.lab.bench.scene.BenchScene;
+import rigibo.lab.child.Fields;
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.engine.Engine;
@@ -76,7 +77,9 @@ public record MovingBench(
         Map<BenchScene, Map<Contestant, Course>> courses = new LinkedHashMap<>();
         for (MovingTask task : tasks) {
             courses.computeIfAbsent(task.scene(), scene -> new LinkedHashMap<>())
-                    .put(task.contestant(), Course.parse(kept.of(task.name()).orElseThrow()));
+                    .put(
+                            task.contestant(),
+                            Fields.parse(Course.class, kept.of(task.name()).orElseThrow()));
         }
         List<Report.Passage> sections = new ArrayList<>();
         courses.forEach(

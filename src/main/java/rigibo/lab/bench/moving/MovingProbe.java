@@ -11,6 +11,7 @@ import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.Driver;
 import rigibo.lab.bench.scene.MovingScenes;
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.child.Fields;
 import rigibo.lab.engine.LinkErrors;
 import rigibo.lab.engine.World;
 
@@ -59,7 +60,8 @@ public final class MovingProbe {
         Contestant contestant = new Contestant(arguments[1], arguments[2]);
         int steps = Integer.parseInt(arguments[3]);
         int runs = Integer.parseInt(arguments[4]);
-        System.out.println(MARK + measure(contestant, scene.scene().get(), steps, runs).line());
+        System.out.println(
+                MARK + Fields.line(measure(contestant, scene.scene().get(), steps, runs)));
     }
 
     /** Lets it go once to look, for a while to warm up, and so many times to time it. */

@@ -2,10 +2,10 @@ package rigibo.lab.bench.probe;
 
 import rigibo.lab.bench.scene.Pace;
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.Setting;
-import rigibo.lab.engine.Work;
 
 /** Times the steps of one scene by one engine, and looks at what became of it. */
 public final class BenchProbe {

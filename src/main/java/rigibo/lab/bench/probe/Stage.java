@@ -1,9 +1,9 @@
 package rigibo.lab.bench.probe;
 
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Setting;
-import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
 
 /** A scene in a world of some engine. */

@@ -1,6 +1,7 @@
 package rigibo.lab.bench.query;
 
 import rigibo.lab.bench.moving.Contestant;
+import rigibo.lab.child.Fields;
 import rigibo.lab.child.MeasuringJava;
 import rigibo.lab.child.Progress;
 import rigibo.lab.report.Report;
@@ -38,7 +39,7 @@ public record QueryBench(List<Contestant> contestants, int runs) {
         for (Contestant contestant : contestants) {
             List<String> told = List.of(contestant.engine(), contestant.setting(), "" + runs);
             String line = java.run(QueryProbe.class, told, QueryProbe.MARK);
-            found.put(contestant, Answers.parse(line));
+            found.put(contestant, Fields.parse(Answers.class, line));
             progress.done();
         }
         return new QueryReport(found).report();

@@ -8,6 +8,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.bench.probe.StepTimes;
+import rigibo.lab.child.Fields;
 import rigibo.lab.child.ThreadUse;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
@@ -59,7 +60,7 @@ public final class QueryProbe {
         try (World world = engine.world(TOUCHING, Engines.setting(engine, arguments[1]))) {
             Answers rays = rays(world, runs);
             double sensing = isOurs ? sensing(runs) : 0;
-            System.out.println(MARK + new Answers(rays.nanos(), rays.met(), sensing).line());
+            System.out.println(MARK + Fields.line(new Answers(rays.nanos(), rays.met(), sensing)));
         }
     }
 

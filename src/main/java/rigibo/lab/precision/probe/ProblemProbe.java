@@ -1,9 +1,9 @@
 package rigibo.lab.precision.probe;
 
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.Setting;
-import rigibo.lab.engine.Work;
 import rigibo.lab.problem.Bench;
 import rigibo.lab.problem.Errors;
 import rigibo.lab.problem.Problem;

@@ -1,7 +1,6 @@
 package rigibo.lab.bench.moving;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
@@ -19,24 +18,6 @@ class CourseTest {
                     Double.NaN,
                     0,
                     1e-3);
-
-    @Test
-    void lineSaysAllOfIt() {
-        assertThat(Course.parse(COURSE.line()).line()).isEqualTo(COURSE.line());
-    }
-
-    @Test
-    void contactsThatNobodyToldStayUntold() {
-        Course untold = new Course(new double[] {1}, new double[0], -1, 0, 0, 0, 0, 0);
-        assertThat(Course.parse(untold.line()).contacts()).isEmpty();
-    }
-
-    @Test
-    void lineThatIsCutShortIsRefused() {
-        assertThatThrownBy(() -> Course.parse("100 200\t"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("not a course");
-    }
 
     @Test
     void timesAreOfTheFirstStepsOnly() {

@@ -1,7 +1,6 @@
 package rigibo.lab.bench.probe;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
@@ -15,8 +14,8 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.bench.scene.Pace;
 import rigibo.lab.bench.scene.Scene;
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.RigiBoEngine;
-import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
 
 import java.util.List;
@@ -91,16 +90,5 @@ class BenchProbeTest {
         assertThat(sample.energy()).isCloseTo(1, within(1e-9));
         assertThat(sample.overlap()).isZero();
         assertThat(sample.work()).isEqualTo(Work.NONE);
-    }
-
-    @Test
-    void sampleIsReadAsItWasWritten() {
-        Work work = new Work(1, 2, 3, 4, 5);
-        Sample sample = new Sample(10, 1.5, 2.5, 0, 1e-3, 0.7, 0.9, work);
-        assertThat(Sample.parse(sample.line())).isEqualTo(sample);
-        assertThat(sample.fields()).hasSameSizeAs(Sample.FIELDS);
-        assertThatThrownBy(() -> Sample.parse("10,1.5"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("'10,1.5'");
     }
 }

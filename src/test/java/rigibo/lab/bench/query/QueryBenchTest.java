@@ -1,7 +1,6 @@
 package rigibo.lab.bench.query;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
@@ -55,15 +54,6 @@ class QueryBenchTest {
                 assertThat(answers.nanos()[kind.ordinal()]).isPositive();
             }
         }
-    }
-
-    @Test
-    void answersAreReadAsTheyAreWritten() {
-        Answers answers = answers(1, 2e5);
-        assertThat(Answers.parse(answers.line()).line()).isEqualTo(answers.line());
-        assertThatThrownBy(() -> Answers.parse("1.0 2.0"))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("not answers: '1.0 2.0'");
     }
 
     @Test

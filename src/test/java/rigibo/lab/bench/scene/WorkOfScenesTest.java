@@ -7,8 +7,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.setup.Accuracy;
+import rigibo.lab.child.Work;
 import rigibo.lab.engine.RigiBoEngine;
-import rigibo.lab.engine.Work;
 import rigibo.lab.engine.World;
 
 /**

@@ -1,4 +1,6 @@
-package rigibo.lab.engine;
+package rigibo.lab.child;
+
+import rigibo.backend.StepReport;
 
 /**
  * Work that was done, counted: the same on every machine, whatever its clock says.
@@ -13,6 +15,21 @@ public record Work(long pairs, long contacts, long impacts, long evaluations, lo
 
     /** None, or none that is told. */
     public static final Work NONE = new Work(0, 0, 0, 0, 0);
+
+    /** What a step of ours did. */
+    public static Work of(StepReport report) {
+        return new Work(
+                report.pairs(),
+                report.contacts(),
+                report.impacts(),
+                report.evaluations(),
+                report.rows());
+    }
+
+    /** What is solved for: rows, evaluations and impacts together. */
+    public long solved() {
+        return rows + evaluations + impacts;
+    }
 
     /** This and more. */
     public Work plus(Work more) {
