@@ -17,7 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** Makes the runs that were not made yet, and reads from all of them what they tell. */
+/** Makes the missing runs and evaluates all of them. */
 final class AblationLab {
 
     private static final String RUNS = "effects-runs.log";
@@ -36,13 +36,13 @@ final class AblationLab {
         kept = new Kept(question.out().resolve(RUNS), key);
     }
 
-    /** How processes are run, in words. */
+    /** Describes how processes are run. */
     String method() {
         return java.words();
     }
 
     /**
-     * Makes what is missing.
+     * Makes the missing runs.
      *
      * @param tell is told how far it is
      * @throws IllegalStateException when a run breaks off, with what it said
@@ -52,7 +52,7 @@ final class AblationLab {
         kept.make(order.runs(), Run::name, run -> Fields.line(java.run(run)), tell);
     }
 
-    /** What the runs tell. */
+    /** The findings of all runs. */
     Findings findings() {
         return new Findings(ablations(), uses(), savings());
     }
@@ -117,7 +117,7 @@ final class AblationLab {
         return new Pairs(samples(first, Run.Engine.FULL), samples(second, Run.Engine.FULL));
     }
 
-    /** In the order of their rounds, whichever of a pair was run first. */
+    /** The samples in the order of their rounds. */
     private List<Sample> samples(String workload, Run.Engine engine) {
         return order.runs().stream()
                 .filter(run -> run.workload().equals(workload) && run.engine() == engine)

@@ -12,7 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
-/** The engine as archives, whole and without what a scene does not need. */
+/** Archives of the engine, whole and without the classes that a scene does not need. */
 final class Archives {
 
     private final Path directory;
@@ -20,7 +20,7 @@ final class Archives {
     private final ClassFiles engine = ClassFiles.of(Pool.class);
     private final ClassFiles probe = ClassFiles.of(Probe.class).and(ClassFiles.of(Fields.class));
 
-    /** Writes the whole engine and the probe into a directory, which is made. */
+    /** Makes a directory and writes the whole engine and the probe into it. */
     Archives(Path directory, Workloads workloads) {
         this.directory = directory;
         this.workloads = workloads;
@@ -37,12 +37,12 @@ final class Archives {
         return directory.resolve("engine.jar");
     }
 
-    /** What runs in a process. */
+    /** The archive of the code that a process runs. */
     Path probe() {
         return directory.resolve("probe.jar");
     }
 
-    /** Writes the engine without what a scene does not need. */
+    /** Writes the engine without the classes that a scene does not need. */
     void strip(String scene) {
         engine.without(takenOut(scene)).write(stripped(scene));
     }
@@ -51,22 +51,22 @@ final class Archives {
         return directory.resolve("engine-for-" + scene + ".jar");
     }
 
-    /** What a run has on its class path. */
+    /** The engine's archive on the class path of a run. */
     Path engine(Run run) {
         return run.engine() == Run.Engine.FULL ? whole() : stripped(run.workload());
     }
 
-    /** The files that are missing from a scene's archive. */
+    /** The files that a scene's archive lacks. */
     List<String> takenOut(String scene) {
         return OwnClasses.undeclared(workloads.scene(scene).effects(), engine.names());
     }
 
-    /** How many class files the engine has. */
+    /** The number of the engine's class files. */
     int size() {
         return engine.names().size();
     }
 
-    /** The same for equal classes. */
+    /** A hash of the classes' bytes. */
     String hash() {
         return engine.hash() + probe.hash();
     }

@@ -6,10 +6,10 @@ import rigibo.lab.plot.Palette;
 import rigibo.lab.plot.Picture;
 import rigibo.lab.report.Amount;
 
-/** A horizontal axis of %, with a line at 0. */
+/** A horizontal axis in %, with a line at 0. */
 record Axis(LinearScale scale) {
 
-    /** From one value at px to another. */
+    /** An axis between two values, at places in px. */
     Axis(double from, double to, double left, double right) {
         this(new LinearScale(from, to, left, right));
     }
@@ -26,7 +26,7 @@ record Axis(LinearScale scale) {
         return scale.end();
     }
 
-    /** Lines at the ticks over a height, their values below, and what they are. */
+    /** Draws lines at the ticks, their values below, and the name of the axis. */
     void draw(Picture picture, double top, double bottom, String words) {
         for (double tick : scale.ticks()) {
             double x = at(tick);

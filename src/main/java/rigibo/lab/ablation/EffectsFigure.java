@@ -4,7 +4,7 @@ import rigibo.lab.plot.Anchor;
 import rigibo.lab.plot.Drawing;
 import rigibo.lab.plot.Palette;
 
-/** The findings as one picture of three panels, each to be read by itself. */
+/** A picture of the findings in three independent panels. */
 final class EffectsFigure {
 
     static final double WIDTH = 1000;

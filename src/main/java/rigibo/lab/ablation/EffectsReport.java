@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Measures what effects cost, declared or not, and writes it: figures, table, page. */
+/** Measures what declared and undeclared effects cost and writes figures, a table and a page. */
 public final class EffectsReport {
 
     private final Question question;

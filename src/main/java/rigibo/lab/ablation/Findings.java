@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * What all runs together tell.
+ * The findings of all runs.
  *
  * @param ablations of every scene
  * @param uses of every effect, by how many use it
@@ -16,13 +16,13 @@ import java.util.stream.Stream;
  */
 record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savings) {
 
-    /** How far from 1 a ratio may be that is called equal. */
+    /** The distance from 1 within which a ratio counts as equal. */
     static final double TOLERANCE = 0.01;
 
-    /** An interval that covers less says nothing; that of five values covers 0.9375. */
+    /** The least coverage of a meaningful interval; that of five values covers 0.9375. */
     static final double LEAST_COVERAGE = 0.93;
 
-    /** What an interval of ratios says. */
+    /** The verdict on an interval of ratios. */
     enum Verdict {
         EQUAL("equal within 1 %"),
         NOT_TOLD_APART("not told apart"),
@@ -42,7 +42,7 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
     }
 
     /**
-     * A scene with the classes of undeclared effects in the archive, and without them.
+     * The comparison of a scene with and without the classes of undeclared effects in the archive.
      *
      * @param scene its name
      * @param words what it is
@@ -52,7 +52,7 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
      */
     record Ablation(String scene, String words, int period, int takenOut, Pairs pairs) {
 
-        /** Whether a cost of undeclared effects is excluded, seen, or neither. */
+        /** Says whether a cost of undeclared effects is excluded, seen, or neither. */
         Verdict verdict() {
             Interval ratio = pairs.ratio();
             if (ratio.coverage() < LEAST_COVERAGE) {
@@ -69,14 +69,14 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
             return pairs.haveEqualBits() && pairs.haveEqualWork();
         }
 
-        /** Of any of its runs. */
+        /** The sample of any of its runs. */
         Sample sample() {
             return pairs.second().get(0);
         }
     }
 
     /**
-     * What a declared effect costs where so many use it.
+     * The cost of a declared effect that a number of bodies use.
      *
      * @param effect its simple name
      * @param scene the scene's name
@@ -95,14 +95,14 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
             Pairs pairs) {}
 
     /**
-     * What a scene saves without an effect.
+     * The time that a scene saves without an effect.
      *
      * @param companions what is left out with it, because it needs it
      * @param pairs without it first, whole second
      */
     record Saving(String scene, String effect, List<String> companions, Pairs pairs) {
 
-        /** Per step, in % of the whole scene's time. */
+        /** The saving per step, in % of the whole scene's time. */
         Interval percent() {
             return pairs.times((without, whole) -> 100 * (whole - without) / whole);
         }
@@ -113,7 +113,7 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
         return uses.stream().map(UseCost::effect).distinct().toList();
     }
 
-    /** An effect's costs, by shares that rise. */
+    /** The costs of an effect, by rising shares of users. */
     List<UseCost> usesOf(String effect) {
         return uses.stream().filter(use -> use.effect().equals(effect)).toList();
     }

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The findings as CSV, a line for each comparison. */
+/** The findings as CSV, one line per comparison. */
 final class FindingsCsv {
 
     private static final String HEAD =
@@ -41,7 +41,7 @@ final class FindingsCsv {
         return cost("left_out", saving.scene(), saving.effect(), "", saving.pairs());
     }
 
-    /** Bodies that use an effect go other ways: bits and work are not compared. */
+    /** Bits and work are not compared here, since bodies that use an effect move differently. */
     private static String cost(
             String table, String scene, String effect, String users, Pairs pairs) {
         Interval nanos = pairs.difference();

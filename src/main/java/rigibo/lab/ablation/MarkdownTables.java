@@ -29,7 +29,7 @@ final class MarkdownTables {
         return Stream.of(cells).map(String::valueOf).collect(Collectors.joining(" | ", "| ", " |"));
     }
 
-    /** A line for each scene, with and without the classes of undeclared effects. */
+    /** A row for each scene, with and without the classes of undeclared effects. */
     List<String> ablation() {
         List<String> lines = new ArrayList<>();
         lines.add(
@@ -60,7 +60,9 @@ final class MarkdownTables {
         return isSo ? "yes" : "**no**";
     }
 
-    /** A line for each scene: the work of its counted steps, and what a body and a contact hold. */
+    /**
+     * A row for each scene: the work of its counted steps, and the sizes of a body and a contact.
+     */
     List<String> work() {
         List<String> lines = new ArrayList<>();
         lines.add(
@@ -84,7 +86,7 @@ final class MarkdownTables {
                 Amount.digits(work.contacts() == 0 ? 0 : (double) work.rows() / work.contacts()));
     }
 
-    /** A line for each effect: what it costs where none, one, half and all use it. */
+    /** A row for each effect: its cost if no body, one, half of them or all use it. */
     List<String> uses() {
         List<String> lines = new ArrayList<>();
         lines.add(
@@ -122,7 +124,7 @@ final class MarkdownTables {
                 .orElse(NOT_MEASURED);
     }
 
-    /** What using it costs beyond its being declared; not told where it cannot be told apart. */
+    /** Whether the cost of using an effect can be distinguished from that of declaring it. */
     private static boolean isSeen(List<UseCost> uses) {
         Interval none = of(uses, Share.NONE).orElseThrow().pairs().difference();
         Interval all = of(uses, Share.ALL).orElseThrow().pairs().difference();
@@ -147,7 +149,7 @@ final class MarkdownTables {
                 : NOT_MEASURED;
     }
 
-    /** A line for each effect of a scene: what is saved without it. */
+    /** A row for each effect of a scene: the time saved without it. */
     List<String> savings(String scene) {
         List<String> lines = new ArrayList<>();
         lines.add("| without | saves per step | interval | saves % | interval, % |");
@@ -167,7 +169,7 @@ final class MarkdownTables {
                 Amount.percent(percent.low()) + " to " + Amount.percent(percent.high()));
     }
 
-    /** An effect and what is left out with it. */
+    /** An effect and those left out with it. */
     static List<String> leftOut(Saving saving) {
         return Stream.concat(Stream.of(saving.effect()), saving.companions().stream()).toList();
     }

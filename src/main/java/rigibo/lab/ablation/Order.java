@@ -12,12 +12,12 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * All runs, in the order they are made: always pairs, whose order changes from pair to pair, a b b
- * a, so that what drifts on the machine falls on both.
+ * All runs, in order. They come in pairs whose order alternates, a b b a, so that a drift of the
+ * machine affects both.
  */
 final class Order {
 
-    /** Pairs of a cost; a ratio to be told to a percent has more. */
+    /** The number of pairs for a cost; a ratio to one percent needs more. */
     private static final int PAIRS_OF_A_COST = 5;
 
     private final Workloads workloads;
@@ -26,7 +26,7 @@ final class Order {
     private final int costPairs;
     private final List<Run> runs = new ArrayList<>();
 
-    /** For scenes of these names, with so many pairs of runs each. */
+    /** The runs for some scenes, with a number of pairs for each. */
     Order(Workloads workloads, List<String> names, int pairs) {
         this.workloads = workloads;
         this.pairs = pairs;
@@ -45,7 +45,7 @@ final class Order {
         return scenes;
     }
 
-    /** The effects whose scene is among them. */
+    /** The uses of effects whose scene is among the scenes. */
     List<Use> uses() {
         return workloads.uses().stream()
                 .filter(use -> scenes.stream().anyMatch(one -> isScene(one, use)))

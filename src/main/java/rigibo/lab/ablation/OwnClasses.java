@@ -28,7 +28,7 @@ import java.util.List;
 import java.util.TreeSet;
 
 /**
- * The engine's classes that exist for an effect only. A new effect's classes are one more line.
+ * The engine's classes that exist only for some effects. A new effect adds one line.
  *
  * @param owners the effects of which one at least has to be declared for the classes to be needed
  * @param classes in the package {@code rigibo.backend}, by room and simple name, with all that is
@@ -40,7 +40,7 @@ record OwnClasses(List<Class<? extends Effect>> owners, List<String> classes) {
     private static final String SUFFIX = ".class";
     private static final String WHOLE_ROOM = "*";
 
-    /** A class that is of several effects together is in several lines: it needs them all. */
+    /** All lines. A class that needs several effects at once appears in several lines. */
     static final List<OwnClasses> ALL =
             List.of(
                     of(Gravity.class, "force.GravityKernel"),

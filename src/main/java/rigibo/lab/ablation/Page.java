@@ -85,7 +85,7 @@ final class Page {
                 provenance.date());
     }
 
-    /** The shortest and the longest of all scenes. */
+    /** The lengths of the shortest and the longest period. */
     private String periods() {
         IntSummaryStatistics steps =
                 findings.ablations().stream().mapToInt(Ablation::period).summaryStatistics();

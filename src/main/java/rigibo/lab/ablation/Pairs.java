@@ -10,24 +10,24 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Runs made in pairs, at the same time.
+ * Samples of runs that were made in pairs.
  *
  * @param first of each pair: with less in it
  * @param second of each pair
  */
 record Pairs(List<Sample> first, List<Sample> second) {
 
-    /** Of the times per step, second over first. */
+    /** The ratio of the times per step, second over first. */
     Interval ratio() {
         return times((one, other) -> other / one);
     }
 
-    /** ns per step that the second takes longer. */
+    /** The difference of the times per step, second minus first, ns. */
     Interval difference() {
         return times((one, other) -> other - one);
     }
 
-    /** Per pair, from the times of both. */
+    /** A function of the two times of each pair. */
     Interval times(DoubleBinaryOperator operator) {
         return Interval.of(
                 IntStream.range(0, first.size())
@@ -39,12 +39,12 @@ record Pairs(List<Sample> first, List<Sample> second) {
                         .toArray());
     }
 
-    /** ns per step of the first. */
+    /** The median time per step of the first, ns. */
     double firstNanos() {
         return median(first, Sample::nanosPerStep);
     }
 
-    /** ns per step of the second. */
+    /** The median time per step of the second, ns. */
     double secondNanos() {
         return median(second, Sample::nanosPerStep);
     }
@@ -53,7 +53,7 @@ record Pairs(List<Sample> first, List<Sample> second) {
         return Interval.of(samples.stream().mapToDouble(of).toArray()).median();
     }
 
-    /** The most that a run of either allocated, bytes per step. */
+    /** The most bytes per step that a run of either allocated. */
     double mostBytes() {
         return all().mapToDouble(Sample::bytesPerStep).max().orElse(Double.NaN);
     }
@@ -72,7 +72,7 @@ record Pairs(List<Sample> first, List<Sample> second) {
         return Stream.concat(first.stream(), second.stream());
     }
 
-    /** Bits per body that the second has more. */
+    /** The bits per body that the second has in addition. */
     int addedBits() {
         return second.get(0).bitsPerBody() - first.get(0).bitsPerBody();
     }

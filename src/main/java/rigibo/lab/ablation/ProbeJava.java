@@ -8,7 +8,7 @@ import rigibo.lab.child.MeasuringJava;
 import java.io.File;
 import java.util.List;
 
-/** Has runs made, each in a process with the archives that belong to it. */
+/** Makes runs, each in a process with its archives. */
 final class ProbeJava {
 
     private final MeasuringJava java = MeasuringJava.onLastCore();
@@ -20,13 +20,13 @@ final class ProbeJava {
         this.seed = seed;
     }
 
-    /** How processes are run, in words. */
+    /** Describes how processes are run. */
     String words() {
         return java.words();
     }
 
     /**
-     * Runs one to its end.
+     * Makes a run.
      *
      * @throws IllegalStateException when it breaks off, with what it said: a class that was taken
      *     out was needed, or the machine ended it

@@ -5,7 +5,7 @@ import rigibo.backend.effect.Effects;
 import java.util.Map;
 
 /**
- * Where figures come from.
+ * Where and how the figures were measured.
  *
  * @param machine what it ran on
  * @param date when

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * What is to be measured.
+ * The question that a report answers.
  *
  * @param scenes their names
  * @param runs pairs of each scene's comparison; costs have five at most
@@ -16,7 +16,7 @@ import java.util.List;
  */
 public record Question(List<String> scenes, int runs, long seed, Path out) {
 
-    /** More would take days. */
+    /** The largest number of runs; more would take days. */
     public static final int MOST_RUNS = 1000;
 
     /**
@@ -41,7 +41,7 @@ public record Question(List<String> scenes, int runs, long seed, Path out) {
         }
     }
 
-    /** All that may be asked for. */
+    /** The names that may be asked for. */
     public static List<String> sceneNames() {
         return new Workloads(0).scenes().stream().map(Workload::name).toList();
     }

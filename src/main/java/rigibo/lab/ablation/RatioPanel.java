@@ -39,7 +39,7 @@ final class RatioPanel {
         return 100 * (ratio - 1);
     }
 
-    /** Draws it below a height and returns where it ends. */
+    /** Draws it below a height and returns its lower edge. */
     double draw(Picture picture, double top) {
         double bottom = top + ROW * scenes.size();
         double band = 100 * Findings.TOLERANCE;

@@ -10,7 +10,7 @@ package rigibo.lab.ablation;
  */
 record Run(String workload, Engine engine, int round, Budget budget) {
 
-    /** Under which what it finds is kept. */
+    /** The key under which the result is kept. */
     String name() {
         return String.join(" | ", workload, engine.name(), "" + round, budget.name());
     }

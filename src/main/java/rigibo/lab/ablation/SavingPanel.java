@@ -31,7 +31,7 @@ final class SavingPanel {
         axis = new Axis(from, 100, 330, 790);
     }
 
-    /** Draws it below a height and returns where it ends. */
+    /** Draws it below a height and returns its lower edge. */
     double draw(Picture picture, double top) {
         double bottom = top + HEAD * findings.ablations().size() + ROW * findings.savings().size();
         axis.draw(picture, top, bottom, "saved per step, % of the whole scene's step");

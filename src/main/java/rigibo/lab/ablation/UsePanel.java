@@ -29,7 +29,7 @@ final class UsePanel {
         this.findings = findings;
     }
 
-    /** Draws it below a height and returns where it ends. */
+    /** Draws it below a height and returns its lower edge. */
     double draw(Picture picture, double top) {
         List<String> effects = findings.effects();
         for (int i = 0; i < effects.size(); i++) {

@@ -3,13 +3,13 @@ package rigibo.lab.bench;
 import java.util.Map;
 import java.util.OptionalDouble;
 
-/** What we want to reach: times another engine takes, in times of ours. */
+/** The aims of the bench: how many times as long as ours another engine should take. */
 final class Aims {
 
-    /** Of a step of ours: the 99th percentile in medians, at most. */
+    /** The most that the 99th percentile of our steps may be, as a multiple of their median. */
     static final double P99 = 2;
 
-    /** Exponent of growth of the time of a step by the number of discs, at most. */
+    /** The largest exponent with which our step may grow with the number of discs. */
     static final double GROWTH = 1.1;
 
     private static final String GDX = "gdx-box2d";
@@ -26,18 +26,18 @@ final class Aims {
 
     private Aims() {}
 
-    /** Least ratio of an engine's time to ours that is wanted; empty where none is set. */
+    /** The ratio of an engine's time to ours that we aim for; empty where none is set. */
     static OptionalDouble ratio(String scene, String engine) {
         Double ratio = RATIOS.getOrDefault(scene, Map.of()).get(Inquiry.shortName(engine));
         return ratio == null ? OptionalDouble.empty() : OptionalDouble.of(ratio);
     }
 
-    /** In words, where a value must not be less than its aim. */
+    /** Words for an aim that a value should reach. */
     static String atLeast(double aim, double value) {
         return "≥ " + plain(aim) + verdict(value >= aim);
     }
 
-    /** In words, where a value must not be more than its aim. */
+    /** Words for an aim that a value should not exceed. */
     static String atMost(double aim, double value) {
         return "≤ " + plain(aim) + verdict(value <= aim);
     }

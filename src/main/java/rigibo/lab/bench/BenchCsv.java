@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Every run as a line of values. */
+/** The runs as comma-separated values. */
 final class BenchCsv {
 
     private static final Object[] HEAD = {
@@ -41,7 +41,7 @@ final class BenchCsv {
     private static String line(Run run) {
         Object[] cells = Fields.of(run).toArray();
         if (!run.engine().equals(RigiBoEngine.NAME)) {
-            // No work is told by other engines: that is no 0.
+            // Other engines do not report their work: their cells are empty, not 0.
             int told = cells.length - (int) Fields.of(Work.NONE).count();
             Arrays.fill(cells, told, cells.length, "");
         }

@@ -8,7 +8,7 @@ import rigibo.lab.report.Report.Passage;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What was found, for a terminal and for a page. */
+/** The report of the bench, for a terminal and for a page. */
 final class BenchReport {
 
     private BenchReport() {}

@@ -20,12 +20,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Makes the runs that are asked for and tells what they found. */
+/** Runs the bench and reports the results. */
 public final class BenchStudy {
 
     private static final String LOG = "runs.log";
 
-    /** 22,000 bodies of an engine of objects, and what it makes garbage of in a step. */
+    /**
+     * Room for 22,000 bodies of an engine that makes an object of each, and for the garbage of a
+     * step.
+     */
     private static final int HEAP_MEGABYTES = 1024;
 
     private final Inquiry inquiry;

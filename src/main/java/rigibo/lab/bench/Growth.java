@@ -1,8 +1,8 @@
 package rigibo.lab.bench;
 
 /**
- * How a time grows with a size: the exponent p of t = c·nᵖ that fits best, by least squares on the
- * logarithms (p = Σ(x − x̄)(y − ȳ)/Σ(x − x̄)², x = ln n, y = ln t).
+ * The exponent p of a time that grows as t = c·nᵖ with a size n, fitted by least squares on the
+ * logarithms: p = Σ(x − x̄)(y − ȳ)/Σ(x − x̄)² with x = ln n, y = ln t.
  */
 final class Growth {
 

@@ -23,9 +23,8 @@ import java.util.Map;
 public record Inquiry(List<BenchScene> scenes, List<Engine> engines, int rounds, Path out) {
 
     /**
-     * Every run, in the order in which it is made: engines take turns, so that what the machine
-     * does meanwhile falls on all of them. The sweep is gone through once: its exponents rest on
-     * many sizes.
+     * All runs, in order. The engines take turns, so that a disturbance of the machine affects all
+     * of them. The sweep runs once, since its exponents are fitted to many sizes.
      */
     List<Task> tasks() {
         List<Task> tasks = new ArrayList<>();
@@ -50,7 +49,7 @@ public record Inquiry(List<BenchScene> scenes, List<Engine> engines, int rounds,
         return isInRound && (isOurs || BenchScenes.isForAll(scene.name()));
     }
 
-    /** The short name by which an engine is asked for: without its version. */
+    /** The name of an engine on the command line, without its version. */
     public static String shortName(Engine engine) {
         return shortName(engine.name());
     }

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 
-/** What was found, by scene and engine, over all rounds. */
+/** The results of all rounds, by scene and engine. */
 final class Results {
 
     private final List<Run> runs;
@@ -21,7 +21,7 @@ final class Results {
         return runs;
     }
 
-    /** Names of the engines that a scene was timed with. */
+    /** The names of the engines that ran a scene. */
     List<String> engines(String scene) {
         return runs.stream()
                 .filter(run -> run.scene().equals(scene))
@@ -30,7 +30,7 @@ final class Results {
                 .toList();
     }
 
-    /** What an engine made of a scene, a sample each round. */
+    /** The samples of an engine in a scene, one per round. */
     List<Sample> samples(String scene, String engine) {
         return runs.stream()
                 .filter(run -> run.scene().equals(scene) && run.engine().equals(engine))
@@ -44,8 +44,8 @@ final class Results {
     }
 
     /**
-     * Times of an engine in times of ours, of the same round each: what slows the machine down for
-     * a while slows down both. Empty where ours was not timed.
+     * The ratios of an engine's time to ours, each within one round, so that a slow spell of the
+     * machine affects both. Empty if ours was not timed.
      */
     Optional<Interval> ratio(String scene, String engine) {
         List<Sample> ours = samples(scene, RigiBoEngine.NAME);

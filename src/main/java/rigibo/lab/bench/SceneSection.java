@@ -16,7 +16,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 
-/** What is told of one scene. */
+/** The part of the report about one scene. */
 final class SceneSection {
 
     private static final double MICRONS = 1e6;
@@ -46,7 +46,7 @@ final class SceneSection {
         return new Passage(scene.name(), scene.name(), what(), table(), sentences());
     }
 
-    /** What it is and which steps were timed. */
+    /** Describes the scene and says which steps were timed. */
     private String what() {
         Pace pace = scene.pace();
         String settling = pace.settling() == 0 ? "from the first on" : "after " + pace.settling();
@@ -110,7 +110,10 @@ final class SceneSection {
         return String.format(Locale.ROOT, "%.3f", value);
     }
 
-    /** What ours did and whether it is even and without garbage; nothing where it was not run. */
+    /**
+     * The work of our engine, how even its steps are and what they allocate; empty if it was not
+     * run.
+     */
     private List<String> sentences() {
         List<Sample> ours = results.samples(scene.name(), RigiBoEngine.NAME);
         if (ours.isEmpty()) {
@@ -130,7 +133,7 @@ final class SceneSection {
         return sentences;
     }
 
-    /** On average over the timed steps. */
+    /** The work of an average timed step. */
     private static String work(Sample sample) {
         Work work = sample.work();
         double steps = sample.steps();

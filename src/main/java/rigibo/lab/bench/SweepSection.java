@@ -11,10 +11,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 
-/** How the time of a step grows with the number of bodies. */
+/** The part of the report about the growth of a step's time with the number of bodies. */
 final class SweepSection {
 
-    /** Below it what does not depend on size counts, and the exponent would say less. */
+    /**
+     * The smallest size that is fitted, in discs; in smaller scenes costs that do not depend on the
+     * size matter.
+     */
     private static final int FIRST_FITTED = 1000;
 
     private final Results results;
@@ -36,7 +39,7 @@ final class SweepSection {
         return scenes.isEmpty();
     }
 
-    /** Median of a step by size and engine; exponents in the last line. */
+    /** The median time of a step by size and engine; the last line holds the exponents. */
     Table table() {
         List<List<String>> rows = new ArrayList<>();
         for (String scene : scenes) {
@@ -58,7 +61,7 @@ final class SweepSection {
                 : "";
     }
 
-    /** Of the sizes from 1,000 on that the engine was asked for. */
+    /** The exponent over the sizes from 1,000 on that the engine ran. */
     double exponent(String engine) {
         List<String> fitted =
                 scenes.stream()

@@ -14,12 +14,12 @@ import java.util.List;
  */
 record Task(BenchScene scene, int fingerprint, String engine, int round) {
 
-    /** What the process is told. */
+    /** The arguments of the process. */
     List<String> arguments() {
         return List.of(scene.name(), engine, scene.pace().words());
     }
 
-    /** Under which what it finds is kept. */
+    /** The key under which the result is kept. */
     String name() {
         String bodies = Integer.toHexString(fingerprint);
         return String.join(" | ", arguments()) + " | " + bodies + " | " + round;

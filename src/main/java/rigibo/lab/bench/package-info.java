@@ -1,5 +1,5 @@
 /**
- * How fast a step is, beside other engines: the same scenes for all of them, each in a process of
- * its own, and what came out looked at by the same eyes.
+ * The speed of a step compared with other engines. All engines run the same scenes, each in its own
+ * process, and the results are examined by the same measures.
  */
 package rigibo.lab.bench;

@@ -21,7 +21,7 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.stream.Stream;
 
-/** Class files by their path, as they run here; writes archives of them. */
+/** The class files of this process, by path; they can be written to an archive. */
 public final class ClassFiles {
 
     private final Map<String, byte[]> files;
@@ -30,7 +30,7 @@ public final class ClassFiles {
         this.files = files;
     }
 
-    /** All in the package of a class and below. */
+    /** The class files in the package of a class and in the packages below it. */
     public static ClassFiles of(Class<?> member) {
         String room = member.getPackageName().replace('.', '/');
         try {
@@ -63,14 +63,14 @@ public final class ClassFiles {
         return files.keySet();
     }
 
-    /** These and others. */
+    /** These files and others. */
     public ClassFiles and(ClassFiles others) {
         Map<String, byte[]> more = new TreeMap<>(files);
         more.putAll(others.files);
         return new ClassFiles(more);
     }
 
-    /** The same without some of them. */
+    /** These files without some. */
     public ClassFiles without(List<String> names) {
         Map<String, byte[]> fewer = new TreeMap<>(files);
         fewer.keySet().removeAll(names);
@@ -92,7 +92,7 @@ public final class ClassFiles {
         }
     }
 
-    /** The same for equal classes, different for others. */
+    /** A hash of the classes' bytes. */
     public String hash() {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");

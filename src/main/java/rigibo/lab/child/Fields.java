@@ -15,9 +15,9 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
 /**
- * Records as lines of text, for a process to print and for a log. A line holds numbers, words,
- * constants, arrays and maps of numbers in the order of the record's components; a record within
- * the record stands there with its own.
+ * Records as lines of text, which processes print and logs keep. A line holds the components in
+ * their order: numbers, words, enum constants, arrays and maps of numbers. A nested record is
+ * replaced by its own components.
  */
 public final class Fields {
 
@@ -37,7 +37,7 @@ public final class Fields {
 
     private Fields() {}
 
-    /** The values of a record, and in the place of a record within it the values of that. */
+    /** The values of a record, with a nested record replaced by its own values. */
     public static Stream<Object> of(Record record) {
         return Stream.of(record.getClass().getRecordComponents())
                 .map(component -> value(component, record))
@@ -52,13 +52,13 @@ public final class Fields {
         }
     }
 
-    /** Records that only their own room sees are read, too. */
+    /** Makes the members of package-private records accessible. */
     private static <T extends AccessibleObject> T opened(T member) {
         member.setAccessible(true);
         return member;
     }
 
-    /** A record in one line; its words hold no tabulators. */
+    /** A record as one line; its words must not contain tabs. */
     public static String line(Record record) {
         return of(record).map(Fields::word).collect(Collectors.joining(BETWEEN));
     }
@@ -78,7 +78,7 @@ public final class Fields {
     }
 
     /**
-     * The record that a line was made of.
+     * Parses a line of {@link #line}.
      *
      * @throws IllegalArgumentException when the line is cut short or of no such record
      */

@@ -3,12 +3,12 @@ package rigibo.lab.child;
 import java.util.Arrays;
 
 /**
- * The median of some values and between which of them it lies with 95 %: from the k-th smallest to
- * the k-th largest, where k is the largest for which a fair coin shows fewer than k heads in n
+ * The median of some values with its 95 % confidence interval, from the k-th smallest to the k-th
+ * largest value. Here k is the largest number for which a fair coin shows fewer than k heads in n
  * throws at most 2.5 % of the time (W. J. Conover, "Practical Nonparametric Statistics", 1999,
- * section 3.2). It holds for every distribution and needs no chance; a bootstrap holds for many
- * values only. Fewer than six values have no such interval: then it is from the least to the
- * greatest, and covers less.
+ * section 3.2). The interval holds for every distribution and needs no random numbers; a bootstrap
+ * holds only for many values. Fewer than six values have no such interval: theirs reaches from the
+ * smallest to the largest and covers less.
  *
  * @param median of the values
  * @param low lower end
@@ -19,7 +19,7 @@ public record Interval(double median, double low, double high, double coverage) 
 
     private static final double WANTED = 0.95;
 
-    /** Of one value or more. */
+    /** The interval of one or more values. */
     public static Interval of(double... values) {
         double[] sorted = values.clone();
         Arrays.sort(sorted);
@@ -31,7 +31,7 @@ public record Interval(double median, double low, double high, double coverage) 
         return new Interval(median(sorted), sorted[left], sorted[n - 1 - left], coverage(n, left));
     }
 
-    /** Of values in rising order. */
+    /** The median of sorted values. */
     private static double median(double[] sorted) {
         int half = sorted.length / 2;
         return sorted.length % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
@@ -53,7 +53,7 @@ public record Interval(double median, double low, double high, double coverage) 
         return low <= value && value <= high;
     }
 
-    /** Whether all of it is within a distance of a value. */
+    /** Whether the whole interval is within a distance of a value. */
     public boolean isWithin(double distance, double of) {
         return low >= of - distance && high <= of + distance;
     }

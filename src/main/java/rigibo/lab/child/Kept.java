@@ -13,8 +13,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * What was found, in a file that grows by a line each, so that an interrupted report goes on where
- * it was. What was found under another key, by other classes say, stays in it and does not count.
+ * A log of results, one line each, from which an interrupted report continues. Results under
+ * another key, for instance of other classes, stay in the file and are ignored.
  */
 public final class Kept {
 
@@ -26,7 +26,7 @@ public final class Kept {
     private final Map<String, String> found = new HashMap<>();
 
     /**
-     * Reads what is there.
+     * Reads the results in a file.
      *
      * @param file made where there is none, with its directories
      * @param key of what counts
@@ -40,7 +40,7 @@ public final class Kept {
                 Files.createFile(file);
             }
             String text = Files.readString(file);
-            // A line that was being written when the machine stopped is made again.
+            // An incomplete last line, left by an interruption, is dropped.
             String whole = text.substring(0, text.lastIndexOf('\n') + 1);
             Files.writeString(file, whole);
             whole.lines().forEach(this::take);
@@ -56,12 +56,12 @@ public final class Kept {
         }
     }
 
-    /** What was found under a name. */
+    /** The result under a name. */
     public Optional<String> of(String name) {
         return Optional.ofNullable(found.get(name));
     }
 
-    /** Keeps what was found, one line, under a name without tabulators. */
+    /** Appends a result of one line under a name without tabs. */
     public void add(String name, String line) {
         found.put(name, line);
         try {
@@ -75,7 +75,7 @@ public final class Kept {
     }
 
     /**
-     * Makes those of some runs that are missing, one after the other.
+     * Makes the missing runs, one after the other.
      *
      * @param name under which what a run finds is kept
      * @param result makes a run

@@ -7,17 +7,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Starts Java processes that measure, one at a time, each on one core where that can be. */
+/** Starts Java processes that measure, one at a time, each pinned to a core if possible. */
 public final class MeasuringJava {
 
     /**
-     * Beside a heap that never changes its size, collected without threads of its own: compilation
-     * holds up the thread that asked for it. On one core it would otherwise take turns with what is
-     * measured, at another moment in every run.
+     * Flags for even times: the collector has no threads of its own, and compilation blocks the
+     * thread that asked for it. On one core the compiler would otherwise interrupt the measured
+     * code, at a different moment in every run.
      */
     private static final List<String> FLAGS = List.of("-XX:+UseSerialGC", "-Xbatch");
 
-    /** Of one scene's bodies and of what most engines make garbage of. */
+    /** The size of the heap in MB, enough for one scene in most engines. */
     private static final int USUAL_HEAP_MEGABYTES = 256;
 
     private final List<String> pin;
@@ -30,24 +30,24 @@ public final class MeasuringJava {
         flags.addAll(FLAGS);
     }
 
-    /** Processes on the last core, which fewest interrupts go to. */
+    /** Processes on the last core, which gets the fewest interrupts. */
     public static MeasuringJava onLastCore() {
         return onLastCore(USUAL_HEAP_MEGABYTES);
     }
 
-    /** The same with a heap of so many megabytes, for scenes of very many bodies. */
+    /** Processes on the last core with a heap of a size in MB, for large scenes. */
     public static MeasuringJava onLastCore(int heapMegabytes) {
         return new MeasuringJava(Runtime.getRuntime().availableProcessors() - 1, heapMegabytes);
     }
 
-    /** One for each core, so that as many processes may run side by side. */
+    /** One for each core, for processes that run in parallel. */
     public static List<MeasuringJava> onEveryCore() {
         return IntStream.range(0, Runtime.getRuntime().availableProcessors())
                 .mapToObj(core -> new MeasuringJava(core, USUAL_HEAP_MEGABYTES))
                 .toList();
     }
 
-    /** What pins a process to a core; empty if nothing. */
+    /** The command that pins a process to a core; empty if there is none. */
     private static List<String> pin(int core) {
         List<String> words = List.of("taskset", "-c", "" + core);
         List<String> trial = new ArrayList<>(words);
@@ -64,13 +64,16 @@ public final class MeasuringJava {
         }
     }
 
-    /** How processes are run, in words. */
+    /** Describes how processes are run. */
     public String words() {
         String core = pin.isEmpty() ? "not pinned" : "pinned to one core";
         return String.join(" ", flags) + ", " + core;
     }
 
-    /** Runs a class of those that run here to its end; returns what follows the mark. */
+    /**
+     * Runs a main class of this class path to its end; returns the first line that begins with the
+     * mark, without the mark.
+     */
     public String run(Class<?> main, List<String> arguments, String mark) {
         String classPath = System.getProperty("java.class.path");
         return run(classPath, main, arguments, mark).get(0);

@@ -2,7 +2,7 @@ package rigibo.lab.child;
 
 import java.util.function.Consumer;
 
-/** Says from time to time how much is done and how long the rest will take. */
+/** Reports from time to time how many runs are done and how long the others will take. */
 public final class Progress {
 
     private static final long NANOS_BETWEEN_WORDS = 15_000_000_000L;

@@ -4,21 +4,24 @@ import com.sun.management.ThreadMXBean;
 
 import java.lang.management.ManagementFactory;
 
-/** What the thread that asks has used since it began: what others are given does not count. */
+/** What the calling thread has used since it started; other threads do not count. */
 public final class ThreadUse {
 
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     private ThreadUse() {}
 
-    /** Processor time, ns; that of the wall where the system does not tell. It may allocate. */
+    /**
+     * Processor time in ns, or wall-clock time if the system does not report it. The call may
+     * allocate.
+     */
     public static long nanos() {
         return THREADS.isCurrentThreadCpuTimeSupported()
                 ? THREADS.getCurrentThreadCpuTime()
                 : System.nanoTime();
     }
 
-    /** Of the heap, bytes. */
+    /** Bytes allocated on the heap. */
     public static long bytes() {
         return THREADS.getCurrentThreadAllocatedBytes();
     }

@@ -3,7 +3,7 @@ package rigibo.lab.child;
 import rigibo.backend.StepReport;
 
 /**
- * Work that was done, counted: the same on every machine, whatever its clock says.
+ * Counts of the work of steps, which are the same on every machine.
  *
  * @param pairs candidate pairs
  * @param contacts pairs that touched
@@ -13,10 +13,10 @@ import rigibo.backend.StepReport;
  */
 public record Work(long pairs, long contacts, long impacts, long evaluations, long rows) {
 
-    /** None, or none that is told. */
+    /** No work, or work that an engine does not report. */
     public static final Work NONE = new Work(0, 0, 0, 0, 0);
 
-    /** What a step of ours did. */
+    /** The work of a step of our engine. */
     public static Work of(StepReport report) {
         return new Work(
                 report.pairs(),
@@ -26,12 +26,12 @@ public record Work(long pairs, long contacts, long impacts, long evaluations, lo
                 report.rows());
     }
 
-    /** What is solved for: rows, evaluations and impacts together. */
+    /** The sum of rows, evaluations and impacts. */
     public long solved() {
         return rows + evaluations + impacts;
     }
 
-    /** This and more. */
+    /** The sum of this work and more. */
     public Work plus(Work more) {
         return new Work(
                 pairs + more.pairs,

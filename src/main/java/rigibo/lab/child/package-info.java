@@ -1,5 +1,5 @@
 /**
- * Processes of their own in which the laboratory measures, so that nothing compiled, collected or
- * loaded for one measurement is there in the next.
+ * Child processes in which the laboratory measures, so that compiled code, garbage and loaded
+ * classes of one measurement do not influence the next.
  */
 package rigibo.lab.child;

@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A physics engine that the laboratory puts its problems to. Those that are not ours are found by
- * {@code ServiceLoader}, where the class path holds them.
+ * A physics engine that the laboratory examines. Engines other than ours are found on the class
+ * path by {@code ServiceLoader}.
  */
 public interface Engine {
 
     /**
-     * Why it cannot run on this machine, as a sentence for who measures; empty where it can. One
-     * that cannot is asked for nothing else.
+     * A sentence that says why the engine cannot run on this machine; empty if it can. No other
+     * method is called on an engine that cannot run.
      */
     default Optional<String> missing() {
         return Optional.empty();
@@ -22,12 +22,12 @@ public interface Engine {
     /** Its name and version, as its authors write them. */
     String name();
 
-    /** How it is run: first as it comes, then otherwise. Names are its own and differ. */
+    /** Its settings, the default one first. Their names are unique within the engine. */
     List<Setting> settings();
 
     /**
-     * The setting that one of its settings is another name of, so that what was found for it holds
-     * for both; the setting itself where it is no other's.
+     * The setting that a setting is an alias of, so that results of one hold for both; the setting
+     * itself if it is no alias.
      */
     default Setting standsFor(Setting setting) {
         return setting;

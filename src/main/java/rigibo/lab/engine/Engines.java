@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.ServiceLoader;
 
-/** The engines at hand: ours, and those that the class path brings. */
+/** The available engines: ours, and those on the class path. */
 public final class Engines {
 
     private Engines() {}
 
-    /** Ours first, the others that can run by name. */
+    /** Our engine first, then the others that can run, by name. */
     public static List<Engine> all() {
         List<Engine> others = found();
         others.removeIf(engine -> engine.missing().isPresent());
@@ -21,7 +21,7 @@ public final class Engines {
         return List.copyOf(all);
     }
 
-    /** Why others cannot run here: a sentence for each reason. */
+    /** The reasons why other engines cannot run here, a sentence each. */
     public static List<String> missing() {
         return found().stream().flatMap(engine -> engine.missing().stream()).distinct().toList();
     }
@@ -33,7 +33,7 @@ public final class Engines {
     }
 
     /**
-     * The engine of a name.
+     * The engine with a name.
      *
      * @throws NoSuchElementException naming it where it is not at hand
      */
@@ -44,14 +44,14 @@ public final class Engines {
                 .orElseThrow(() -> new NoSuchElementException("no engine '" + name + "' at hand"));
     }
 
-    /** The preset of the game, or another engine as it comes. */
+    /** The game's preset for our engine, the default setting for another one. */
     public static Setting usual(Engine engine) {
         Setting first = engine.settings().get(0);
         return first.line() == Line.PEERS ? first : setting(engine, "GAME");
     }
 
     /**
-     * The setting of a name.
+     * The setting with a name.
      *
      * @throws NoSuchElementException naming it where the engine has none such
      */

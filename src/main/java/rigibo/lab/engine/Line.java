@@ -1,10 +1,10 @@
 package rigibo.lab.engine;
 
-/** What is turned along a line of a figure, everything else being as in the game. */
+/** The knob that varies along a line of a figure; all others are as in the game. */
 public enum Line {
-    /** Our four. */
+    /** Our four presets. */
     PRESETS("preset", ""),
-    /** Other engines, as they come and finer. */
+    /** Other engines at their defaults and at finer settings. */
     PEERS("engine", ""),
     STEP("step", "s"),
     STEP_EULER("step, by Euler", "s"),
@@ -28,17 +28,20 @@ public enum Line {
         this.unit = unit;
     }
 
-    /** What is turned, in words. */
+    /** The name of the knob. */
     public String words() {
         return words;
     }
 
-    /** Of the values along the line; empty where they are choices, not numbers. */
+    /** The unit of the values along the line; empty if they are choices rather than numbers. */
     public String unit() {
         return unit;
     }
 
-    /** Whether numbers are swept, so that its points are joined and an order can be observed. */
+    /**
+     * Whether the values are numbers, so that the points are joined and an order of convergence can
+     * be observed.
+     */
     public boolean isSwept() {
         return !unit.isEmpty();
     }

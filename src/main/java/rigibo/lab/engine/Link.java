@@ -16,8 +16,7 @@ import rigibo.backend.setup.JointSpring;
 import java.util.Objects;
 
 /**
- * A joint of two bodies of a scene, as they are placed when it is joined: of the kinds that every
- * engine has.
+ * A joint between two bodies of a scene at their initial places, of a kind that every engine has.
  *
  * @param kind one of revolute, weld, prismatic, wheel and distance
  * @param a number of the first body
@@ -67,22 +66,22 @@ public record Link(
         return new Link(kind, a, b, x, y, toX, toY, other);
     }
 
-    /** The same that stays between two values, rad or m. */
+    /** A copy with limits, rad or m. */
     public Link limits(double lower, double upper) {
         return with(settings.limits(new JointLimits(lower, upper, 0)));
     }
 
-    /** The same that drives to a speed, rad/s or m/s, with so much at most, N·m or N. */
+    /** A copy with a motor: its speed, rad/s or m/s, and its greatest torque or force, N·m or N. */
     public Link motor(double speed, double most) {
         return with(settings.motor(new JointMotor(speed, most)));
     }
 
-    /** The same on a spring. */
+    /** A copy with a spring. */
     public Link spring(double hertz, double dampingRatio) {
         return with(settings.spring(new JointSpring(hertz, dampingRatio)));
     }
 
-    /** Whether it joins these two. */
+    /** Whether it joins two bodies. */
     public boolean isOf(int one, int other) {
         return a == one && b == other || a == other && b == one;
     }
@@ -92,7 +91,7 @@ public record Link(
         return kind == JointKind.DISTANCE && settings.spring().isThere();
     }
 
-    /** As our engine is told it. */
+    /** The definition of the joint for our engine. */
     public JointDefinition between(RigidBody first, RigidBody second) {
         double axis = Math.atan2(toY - y, toX - x);
         JointDefinition joint =
@@ -107,12 +106,12 @@ public record Link(
         return joint.with(settings);
     }
 
-    /** What is thrown where an engine has no such joint. */
+    /** The exception of an engine that has no such joint. */
     public UnsupportedOperationException unknown() {
         return new UnsupportedOperationException("joints of the kind " + kind);
     }
 
-    /** The same on every machine, as hashes of enumerations are not. */
+    /** A hash that is the same on every machine, unlike the hashes of enums. */
     public int fingerprint() {
         return Objects.hash(kind.name(), a, b, x, y, toX, toY, settings);
     }

@@ -6,10 +6,7 @@ import rigibo.backend.setup.JointKind;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * How far joints are off from what they hold, from where engines say that the bodies are: the same
- * measure for all of them.
- */
+/** The errors of joints, computed from the bodies' positions by one measure for all engines. */
 public final class LinkErrors {
 
     /** A point of a body in its own frame, m. */
@@ -34,7 +31,7 @@ public final class LinkErrors {
         }
     }
 
-    /** A joint, where it holds either body, and of a slide another point of its axis on A. */
+    /** A joint with its anchors on both bodies and, for a slide, another point of its axis on A. */
     private record Held(Link link, Spot onA, Spot onB, Spot axis) {
 
         double off(World world) {
@@ -55,7 +52,7 @@ public final class LinkErrors {
 
     private final List<Held> all = new ArrayList<>();
 
-    /** Of joints of these bodies as they are defined. */
+    /** Measures the joints of bodies. */
     public LinkErrors(List<BodyDefinition> bodies, List<Link> links) {
         for (Link link : links) {
             BodyDefinition a = bodies.get(link.a());
@@ -72,7 +69,7 @@ public final class LinkErrors {
         }
     }
 
-    /** The most that any is off now, m. */
+    /** The largest present error of a joint, m. */
     public double worst(World world) {
         double worst = 0;
         for (Held held : all) {

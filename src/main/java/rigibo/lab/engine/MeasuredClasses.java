@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The classes that measurements depend on. */
+/** Makes a key of the classes that measurements depend on. */
 public final class MeasuredClasses {
 
     private MeasuredClasses() {}
 
     /**
-     * A key of what was measured with them, which changes with any of them and with Java.
+     * A key that changes with any of the classes and with the version of Java.
      *
      * @param engines that were measured
      * @param members a class of each other room that decides what is measured

@@ -8,10 +8,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Ours, at its presets and with each knob turned alone from where the game has it. */
+/** Our engine, at its presets and with each knob varied alone from the game's preset. */
 public final class RigiBoEngine implements Engine {
 
-    /** As the reports call it. */
+    /** The engine's name in reports. */
     public static final String NAME = "RigiBo";
 
     private final Map<Setting, Accuracy> choices = new LinkedHashMap<>();
@@ -31,7 +31,7 @@ public final class RigiBoEngine implements Engine {
         return List.copyOf(choices.keySet());
     }
 
-    /** The first that turns its knobs the same way and makes the same step. */
+    /** The first setting with equal knobs and an equal step. */
     @Override
     public Setting standsFor(Setting setting) {
         return choices.keySet().stream()
@@ -46,12 +46,12 @@ public final class RigiBoEngine implements Engine {
         return world(effects, choices.get(setting));
     }
 
-    /** A world at an accuracy that need not be a setting: for references. */
+    /** A world at any accuracy, for reference solutions. */
     public static World world(Effects effects, Accuracy accuracy) {
         return new RigiBoWorld(new Pool(effects, accuracy));
     }
 
-    /** A world that is somebody's pool, with the bodies that are in it now. */
+    /** A world around an existing pool and its bodies. */
     public static World world(Pool pool) {
         return new RigiBoWorld(pool);
     }

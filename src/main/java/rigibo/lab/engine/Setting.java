@@ -1,7 +1,7 @@
 package rigibo.lab.engine;
 
 /**
- * How an engine is run.
+ * A setting of an engine.
  *
  * @param name as its users would say it; no two of an engine are alike
  * @param line of a figure that it is a point of
@@ -10,10 +10,10 @@ package rigibo.lab.engine;
  */
 public record Setting(String name, Line line, double at, double step) {
 
-    /** A step of the game, s. */
+    /** The game's time step, s. */
     public static final double USUAL_STEP = 1.0 / 60;
 
-    /** A setting that is no point of a sweep, at the step of the game. */
+    /** A setting outside the sweeps, at the game's time step. */
     public static Setting of(String name, Line line) {
         return new Setting(name, line, 0, USUAL_STEP);
     }

@@ -12,12 +12,12 @@ import java.util.Locale;
 import java.util.function.BiConsumer;
 import java.util.function.DoubleFunction;
 
-/** Every value of every knob that the laboratory tries, from coarse to fine. */
+/** The values of all knobs that the laboratory tries, from coarse to fine. */
 final class Sweeps {
 
     private static final List<Integer> STEPS_PER_STEP = List.of(1, 2, 4, 8, 16, 32);
 
-    /** Longest step swept, s: two of the game's. */
+    /** The longest time step of a sweep, s: twice the game's. */
     private static final double LONGEST_STEP = 1.0 / 30;
 
     private static final double[] SUBSTEPS = {1, 2, 4, 8, 16, 32, 64};

@@ -3,7 +3,7 @@ package rigibo.lab.engine;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.child.Work;
 
-/** A scene in some engine. Bodies are numbered from 0 on, as they were added. */
+/** A scene in an engine. Bodies are numbered from 0 in the order in which they were added. */
 public interface World extends AutoCloseable {
 
     /** Adds a body and returns its number. */
@@ -16,20 +16,22 @@ public interface World extends AutoCloseable {
      */
     void join(Link link);
 
-    /** Takes a body out, which nothing is asked about any more; the others keep their numbers. */
+    /**
+     * Removes a body. No other method may be called with its number again; the others keep theirs.
+     */
     void remove(int body);
 
-    /** Goes on by so many seconds. */
+    /** Makes a step of a length in s. */
     void step(double seconds);
 
     /**
-     * Pushes a body's centre of mass with so many newtons, to the right and up, in the next step.
+     * Applies a force in N, to the right and up, to a body's centre of mass during the next step.
      */
     void push(int body, double forceX, double forceY);
 
     /**
-     * Has a kinematic body move with a velocity of its centre of mass, m/s to the right and up, and
-     * an angular velocity, rad/s counter-clockwise, from the next step on.
+     * Sets the velocity of a kinematic body from the next step on: that of its centre of mass, m/s
+     * to the right and up, and its angular velocity, rad/s counter-clockwise.
      */
     void drive(int body, double velocityX, double velocityY, double spin);
 
@@ -52,23 +54,22 @@ public interface World extends AutoCloseable {
     double spin(int body);
 
     /**
-     * Has the normal impulses of every step from the next one on kept. Engines that tell them to
-     * listeners only are up to a quarter slower then, so that they are asked just before the steps
-     * that matter; those that keep them anyway do nothing.
+     * Records the normal impulses of all further steps. It is called just before the steps that
+     * matter, since engines that report impulses only to listeners then run up to a quarter slower.
+     * Engines that keep them anyway do nothing.
      */
     default void watchImpulses() {}
 
     /**
-     * What two bodies did to each other along their contact's normal in the last step, N·s; 0 where
-     * they did not touch.
+     * The normal impulse between two bodies in the last step, N·s; 0 if they did not touch.
      *
      * @throws IllegalStateException where it is not kept and nobody watched
      */
     double normalImpulse(int a, int b);
 
     /**
-     * Share of the way from one world point in m to another at which a ray enters the first body,
-     * but none that it begins in; 1 where it meets nobody.
+     * The share of the way between two world points, in m, at which a ray enters the first body; 1
+     * if it hits none. A body that contains the start is ignored.
      *
      * @throws UnsupportedOperationException where the engine is not asked about rays
      */
@@ -76,10 +77,10 @@ public interface World extends AutoCloseable {
         throw new UnsupportedOperationException("rays");
     }
 
-    /** What the last step did, counted; nothing where the engine does not tell. */
+    /** The work of the last step; {@link Work#NONE} if the engine does not report it. */
     Work lastStep();
 
-    /** Gives back what it holds outside the heap. */
+    /** Frees what the world holds outside the heap. */
     @Override
     void close();
 }

@@ -1,6 +1,6 @@
 /**
- * Engines as the laboratory sees them, ours and those it is compared with: a few verbs that all of
- * them have. What a scene is, its bodies and effects, is said in our own words; an engine
+ * An interface that our engine and those compared with it share, with the few verbs that all of
+ * them have. Scenes are stated in our engine's definitions of bodies and effects; each engine
  * translates them. SI units, y up.
  */
 package rigibo.lab.engine;

@@ -1,12 +1,12 @@
 package rigibo.lab.plot;
 
-/** Where a text is held. */
+/** The point of a text that is placed. */
 public enum Anchor {
     START,
     MIDDLE,
     END;
 
-    /** Left end of a text of a width that is held at x. */
+    /** The left end of a text of a width that is anchored at x. */
     double left(double x, double width) {
         return switch (this) {
             case START -> x;

@@ -4,16 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/**
- * What is to be drawn, kept until its size is known, and then drawn on as many pictures as wanted.
- */
+/** A recorded drawing, kept until its height is known, and then drawn on any number of pictures. */
 public final class Drawing implements Picture {
 
     private final List<Consumer<Picture>> strokes = new ArrayList<>();
     private final double width;
     private double height;
 
-    /** Of a width in px. */
+    /** A drawing of a width in px. */
     public Drawing(double width) {
         this.width = width;
     }
@@ -26,17 +24,17 @@ public final class Drawing implements Picture {
         return height;
     }
 
-    /** It ends so many px below its upper edge. */
+    /** Sets its height, px. */
     public void endAt(double bottom) {
         height = bottom;
     }
 
-    /** Draws all of it once more. */
+    /** Draws all of it on a picture. */
     public void on(Picture picture) {
         strokes.forEach(stroke -> stroke.accept(picture));
     }
 
-    /** All of it in SVG. */
+    /** The drawing in SVG. */
     public String svg() {
         Svg svg = new Svg();
         on(svg);

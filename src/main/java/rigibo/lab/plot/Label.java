@@ -1,7 +1,7 @@
 package rigibo.lab.plot;
 
 /**
- * Words that belong to a place.
+ * A label that belongs to a spot.
  *
  * @param words themselves
  * @param size of their letters, px

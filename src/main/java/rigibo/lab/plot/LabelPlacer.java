@@ -5,22 +5,22 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Finds room for labels, one after the other: never over another label nor over a mark, over as few
- * lines as may be, and near what they belong to. It tries places on rings around it and takes the
- * best; a label for which there is no room is left to its owner, to be told elsewhere.
+ * Finds room for labels, one after the other. A label never covers another label or a mark, crosses
+ * as few lines as possible, and is near its spot. The placer tries positions on rings around the
+ * spot and takes the best. If there is no room, the caller has to show the words elsewhere.
  */
 public final class LabelPlacer {
 
     private static final int DIRECTIONS = 16;
     private static final double RING = 7;
 
-    /** What it costs to lie on a line, in px of distance. */
+    /** The cost of crossing a line, in px of distance. */
     private static final double LINE_COST = 30;
 
-    /** Farther away than this, px, a thin line leads from the label to what it belongs to. */
+    /** The distance in px beyond which a thin line leads from the label to its spot. */
     private static final double NEAR = 16;
 
-    /** How often a line is felt for, px. */
+    /** The spacing of the points at which lines are tested, px. */
     private static final double STRIDE = 4;
 
     private final Box bounds;
@@ -29,17 +29,17 @@ public final class LabelPlacer {
 
     private record Candidate(Box box, double cost) {}
 
-    /** Within these bounds. */
+    /** A placer within bounds. */
     public LabelPlacer(Box bounds) {
         this.bounds = bounds;
     }
 
-    /** Nothing may lie here. */
+    /** Keeps labels out of a box. */
     public void keepFree(Box box) {
         taken.add(box);
     }
 
-    /** Labels had better not lie on this line. */
+    /** Discourages labels from crossing a line. */
     public void avoid(Spot from, Spot to) {
         double length = Math.hypot(to.x() - from.x(), to.y() - from.y());
         int pieces = (int) Math.ceil(length / STRIDE);
@@ -52,7 +52,7 @@ public final class LabelPlacer {
         }
     }
 
-    /** Draws a label where there is room for it; false where there is none. */
+    /** Draws a label where there is room; returns false if there is none. */
     public boolean place(Picture picture, Label label) {
         Optional<Box> room = room(label);
         room.ifPresent(box -> draw(picture, label, box));
@@ -76,7 +76,7 @@ public final class LabelPlacer {
         return bounds.holds(box) && taken.stream().noneMatch(box::overlaps);
     }
 
-    /** The text's box touches a circle around its place from outside. */
+    /** Places the text's box so that it touches a circle around the spot from outside. */
     private Candidate candidate(Label label, double distance, double angle) {
         Box size = Box.of(0, 0, Anchor.START, label.size(), label.words());
         double halfWidth = (size.right() - size.left()) / 2;
@@ -89,7 +89,8 @@ public final class LabelPlacer {
     }
 
     /**
-     * Fully to one side, but for directions nearly across, so that labels centre above and below.
+     * The horizontal shift: fully to one side, except in nearly vertical directions, where labels
+     * are centred.
      */
     private static double side(double share) {
         return Math.max(-1, Math.min(1, share * 1.5));

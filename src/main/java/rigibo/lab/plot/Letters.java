@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How wide a text is, at most. A browser chooses the letters itself, and where no font is installed
- * none can be asked: so the wider of two counts, DejaVu Sans, which is the widest that is common,
- * and Quicksand, in which our own pictures are drawn.
+ * An upper bound of a text's width. A browser chooses the font itself, and without installed fonts
+ * none can be measured. So the wider of two fonts counts: DejaVu Sans, the widest common one, and
+ * Quicksand, the font of our own pictures.
  */
 public final class Letters {
 
-    /** Hundredths of the letters' size, from the space to the tilde. */
+    /** Widths in hundredths of the letters' size, from the space to the tilde. */
     private static final int[] WIDTHS = {
         32, 41, 46, 84, 64, 96, 78, 28, 40, 40, 50, 84, 32, 40, 32, 57, // space to /
         64, 64, 64, 64, 71, 64, 64, 64, 64, 64, 34, 34, 84, 84, 84, 54, // 0 to ?
@@ -23,17 +23,17 @@ public final class Letters {
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹·";
     private static final int RAISED_WIDTH = 44;
 
-    /** Of a letter that is in neither list: as wide as signs of mathematics are. */
+    /** The width of a letter that is in neither list, that of mathematical signs. */
     private static final int OTHER_WIDTH = 84;
 
     private Letters() {}
 
-    /** px, for letters of a size. */
+    /** The width in px of a text in letters of a size. */
     public static double width(String words, int size) {
         return words.chars().map(Letters::width).sum() * size / 100.0;
     }
 
-    /** The words of a text on as many lines as they need, each no wider than so many px. */
+    /** Breaks a text into lines that are no wider than a width in px. */
     public static List<String> lines(String words, int size, double width) {
         List<String> lines = new ArrayList<>();
         String line = "";

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Equal differences are equally far apart.
+ * A linear scale.
  *
  * @param from value at the start
  * @param to value at the end, more than {@code from}

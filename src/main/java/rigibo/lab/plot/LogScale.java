@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Equal ratios are equally far apart.
+ * A logarithmic scale.
  *
  * @param from value at the start, more than 0
  * @param to value at the end, more than {@code from}
@@ -13,13 +13,13 @@ import java.util.List;
  */
 public record LogScale(double from, double to, double start, double end) implements Scale {
 
-    /** Ticks are no nearer to each other than this, px: room for the label of a time. */
+    /** The least distance of ticks, px: room for the label of a time. */
     private static final double LEAST_GAP = 46;
 
-    /** Of less than so many decades, powers of ten alone would leave a reader without a tick. */
+    /** The number of decades below which powers of ten alone would be too few ticks. */
     private static final double FEW_DECADES = 1.5;
 
-    /** Of an end that is computed as a power of ten, relative. */
+    /** The relative rounding error of an end that is computed as a power of ten. */
     private static final double ROUNDING = 1e-9;
 
     @Override
@@ -37,7 +37,7 @@ public record LogScale(double from, double to, double start, double end) impleme
         int first = (int) Math.floor(Math.log10(from) + ROUNDING);
         for (int power = first; Math.pow(10, power) <= to * (1 + ROUNDING); power += every) {
             for (double multiple : multiples) {
-                // Parsed, so that it is the double nearest to the decimal number.
+                // The text is parsed to get the double nearest to the decimal number.
                 double tick = Double.parseDouble((int) multiple + "e" + power);
                 if (tick >= from * (1 - ROUNDING) && tick <= to * (1 + ROUNDING)) {
                     ticks.add(tick);

@@ -3,7 +3,7 @@ package rigibo.lab.plot;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Shapes that stand for a value, told apart without their colour. */
+/** The shapes of marks, which differ even without their colour. */
 public enum Mark {
     DISC(24, 0),
     SQUARE(4, 45),
@@ -24,17 +24,17 @@ public enum Mark {
         this.firstDegrees = firstDegrees;
     }
 
-    /** Filled, with a rim of white that parts it from what it lies on. */
+    /** Draws a filled mark with a white rim that separates it from what is below. */
     public void solid(Picture picture, Spot at, double radius, String color) {
         picture.polygon(outline(at, radius), color, RIM, Palette.PAPER);
     }
 
-    /** White within. */
+    /** Draws a hollow mark, white inside. */
     public void hollow(Picture picture, Spot at, double radius, String color) {
         picture.polygon(outline(at, radius), Palette.PAPER, HOLLOW_RIM, color);
     }
 
-    /** Two strokes across a place: something that is not there. */
+    /** Draws a cross, which marks a missing value. */
     public static void cross(Picture picture, Spot at, double radius, String color) {
         double x = at.x();
         double y = at.y();
@@ -42,7 +42,7 @@ public enum Mark {
         picture.line(x - radius, y + radius, x + radius, y - radius, HOLLOW_RIM, color);
     }
 
-    /** Corners on the circle whose surface is that of all marks of this radius. */
+    /** The corners, on a circle chosen so that all marks of a radius have the same area. */
     private List<Spot> outline(Spot at, double radius) {
         double step = 2 * Math.PI / corners;
         double reach = radius * Math.sqrt(step / Math.sin(step));

@@ -1,9 +1,9 @@
 package rigibo.lab.plot;
 
 /**
- * The colours of every figure, as {@code #RRGGBB}. Those that tell things apart are of Okabe and
- * Ito, "Color Universal Design", 2008: the colour-blind tell them apart, too. Their yellow and
- * black are left out: the one is not seen on white, the other is the ink.
+ * The colours of all figures, as {@code #RRGGBB}. Colours that distinguish things are from Okabe
+ * and Ito, "Color Universal Design", 2008, so colour-blind readers can distinguish them. Their
+ * yellow is left out, which is hard to see on white, and their black, which is the ink.
  */
 public final class Palette {
 
@@ -19,7 +19,10 @@ public final class Palette {
     public static final String BAND = "#E3F2EC";
     public static final String PAPER = "#FFFFFF";
 
-    /** Of its light, what a colour keeps as a letter: orange and sky are too pale to be read. */
+    /**
+     * The share of its brightness that a colour keeps as a letter; orange and sky are too pale to
+     * read.
+     */
     private static final double SHADE = 0.66;
 
     private Palette() {}

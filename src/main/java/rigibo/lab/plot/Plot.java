@@ -2,7 +2,7 @@ package rigibo.lab.plot;
 
 import java.util.function.DoubleFunction;
 
-/** A surface between two scales. */
+/** The area of a plot between two scales. */
 public final class Plot {
 
     private static final int TICK_SIZE = 13;
@@ -12,24 +12,24 @@ public final class Plot {
     private final Scale across;
     private final Scale up;
 
-    /** Values to the right along one scale, upwards along the other. */
+    /** A plot with a scale to the right and one upwards. */
     public Plot(Picture picture, Scale across, Scale up) {
         this.picture = picture;
         this.across = across;
         this.up = up;
     }
 
-    /** Where a pair of values is. */
+    /** The spot of a pair of values. */
     public Spot at(double x, double y) {
         return new Spot(across.at(x), up.at(y));
     }
 
-    /** What lies between the scales. */
+    /** The box between the scales. */
     public Box box() {
         return new Box(across.start(), up.end(), across.end(), up.start());
     }
 
-    /** Lines at the ticks of both scales with their values, below and to the left. */
+    /** Draws lines at the ticks of both scales, with their values below and to the left. */
     public void grid(DoubleFunction<String> acrossWords, DoubleFunction<String> upWords) {
         Box box = box();
         for (double tick : across.ticks()) {

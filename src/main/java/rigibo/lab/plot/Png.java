@@ -17,12 +17,12 @@ import java.util.List;
 
 import javax.imageio.ImageIO;
 
-/** A picture of pixels, two for each px of its measures, so that it is sharp on fine displays. */
+/** A raster picture with two pixels per px, so that it is sharp on fine displays. */
 public final class Png implements Picture {
 
     private static final double SCALE = 2;
 
-    /** Width of the rim around letters, px. */
+    /** The width of the rim around letters, px. */
     private static final float RIM = 4;
 
     private static final float[] DASHES = {4, 4};
@@ -31,7 +31,7 @@ public final class Png implements Picture {
     private final BufferedImage image;
     private final Graphics2D pen;
 
-    /** White, of a size in px. */
+    /** A white picture of a size in px. */
     public Png(PngLetters letters, double width, double height) {
         this.letters = letters;
         image =
@@ -46,7 +46,7 @@ public final class Png implements Picture {
         box(0, width, 0, height, Palette.PAPER);
     }
 
-    /** Writes it. */
+    /** Writes the file. */
     public void write(Path file) throws IOException {
         ImageIO.write(image, "png", file.toFile());
     }

@@ -12,9 +12,9 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * The letters of pictures of pixels: the game's own, so that pictures do not depend on what a
- * machine has installed. Raised digits, of which the game's letters have not all, are made of its
- * digits, smaller.
+ * The letters of raster pictures. They are the game's own, so that pictures do not depend on
+ * installed fonts. The game's font lacks some superscript digits, which are drawn as smaller
+ * digits.
  */
 public final class PngLetters {
 
@@ -23,7 +23,7 @@ public final class PngLetters {
     private static final double RAISED_SIZE = 0.62;
     private static final double RAISED_BY = 0.36;
 
-    /** Advance and outline are those of letters laid out without regard to pixels. */
+    /** Letters are laid out without regard to pixels. */
     private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
 
     private final Font words;
@@ -34,7 +34,7 @@ public final class PngLetters {
         this.others = others;
     }
 
-    /** Those of the game; nothing where this Java cannot draw letters at all. */
+    /** The game's letters; empty if this Java cannot draw letters at all. */
     public static Optional<PngLetters> find() {
         System.setProperty("java.awt.headless", "true");
         try {
@@ -43,7 +43,7 @@ public final class PngLetters {
             letters.width("a", 1);
             return Optional.of(letters);
         } catch (IOException | FontFormatException | RuntimeException | LinkageError none) {
-            // Java without FreeType or fontconfig says so in each of these ways.
+            // Java without FreeType or fontconfig fails in each of these ways.
             return Optional.empty();
         }
     }

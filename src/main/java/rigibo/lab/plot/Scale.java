@@ -2,18 +2,18 @@ package rigibo.lab.plot;
 
 import java.util.List;
 
-/** Where values lie along an edge of a plot. */
+/** Maps values to places along an edge of a plot. */
 public sealed interface Scale permits LinearScale, LogScale {
 
-    /** Where a value is, px; what is beyond an end is at that end. */
+    /** The place of a value, px; values beyond an end are at that end. */
     double at(double value);
 
-    /** Round values, a few, between the ends. */
+    /** A few round values between the ends. */
     List<Double> ticks();
 
-    /** Where the first end is, px. */
+    /** The place of the first end, px. */
     double start();
 
-    /** Where the other end is, px; less than the first where values rise upwards. */
+    /** The place of the other end, px; less than the first if values rise upwards. */
     double end();
 }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** A picture in SVG. XChart draws SVG by a library that it does not bring along. */
+/** A picture in SVG. XChart is not used, since it needs another library for SVG. */
 public final class Svg implements Picture {
 
     private static final String LETTERS =

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** A problem with all that was answered to it. */
+/** A problem with all points that were measured for it. */
 final class Asked {
 
     private final Problem problem;
@@ -23,7 +23,7 @@ final class Asked {
         front = new Front(ours().filter(Asked::isAtUsualStep).toList());
     }
 
-    /** Of each problem that has points. */
+    /** Groups points by problem. */
     static List<Asked> of(List<Problem> problems, List<Point> points) {
         return problems.stream()
                 .map(problem -> new Asked(problem, points))
@@ -47,17 +47,20 @@ final class Asked {
         return points.stream().filter(point -> point.engine().equals(RigiBoEngine.NAME));
     }
 
-    /** Of our own knobs: those of an accuracy, at the step of the game, which is none of them. */
+    /**
+     * The front of our own knobs. They belong to an accuracy, so the points are those at the game's
+     * time step.
+     */
     Front front() {
         return front;
     }
 
-    /** Ours along a line, in the order they are told. */
+    /** Our points along a line, in the order of the report. */
     List<Point> along(Line line) {
         return ours().filter(point -> point.setting().line() == line).toList();
     }
 
-    /** The lines of ours that have points, but for the presets. */
+    /** The lines of our engine that have points, except the presets. */
     List<Line> lines() {
         return Arrays.stream(Line.values())
                 .filter(line -> line != Line.PRESETS && !along(line).isEmpty())
@@ -81,7 +84,7 @@ final class Asked {
                 .toList();
     }
 
-    /** Of one engine: as it comes, then finer. */
+    /** The points of an engine, the default setting first. */
     List<Point> of(String engine) {
         return points.stream().filter(point -> point.engine().equals(engine)).toList();
     }

@@ -24,7 +24,7 @@ final class BouncingBall {
 
     private BouncingBall() {}
 
-    /** Runs it with an engine at a setting. */
+    /** Simulates the ball in an engine at a setting. */
     static EnergyTrace trace(Engine engine, Setting setting) {
         Effects effects = Earth.effects().without(Friction.class).without(Rotation.class);
         try (World world = engine.world(effects, setting)) {

@@ -4,10 +4,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
-/** Our {@code GAME} beside other engines at one problem. */
+/** Compares our {@code GAME} with other engines at one problem. */
 final class Comparison {
 
-    /** The one that is native code behind a Java face. */
+    /** The engine that is native code behind a Java interface. */
     private static final String NATIVE = "gdx";
 
     private final Asked asked;
@@ -18,7 +18,7 @@ final class Comparison {
         this.game = game;
     }
 
-    /** Where both have points. */
+    /** The comparison for a problem, if both sides have points. */
     static Optional<Comparison> of(Asked asked) {
         return asked.preset("GAME")
                 .filter(game -> !asked.peers().isEmpty())
@@ -29,12 +29,15 @@ final class Comparison {
         return game;
     }
 
-    /** All of them, as they come and finer. */
+    /** All points of other engines, at default and finer settings. */
     List<Point> others() {
         return asked.peers().stream().flatMap(peer -> asked.of(peer).stream()).toList();
     }
 
-    /** Those that are not less accurate, where errors that count as equal are equal. */
+    /**
+     * The points of other engines that are at least as accurate; errors within the problem's
+     * tolerance count as equal.
+     */
     List<Point> asAccurate() {
         return others().stream()
                 .filter(other -> !other.errors().hasFailed())
@@ -46,12 +49,12 @@ final class Comparison {
         return Math.max(point.errors().main(), asked.problem().equalBelow());
     }
 
-    /** Whether every other one errs more, or failed. */
+    /** Whether all others have larger errors or failed. */
     boolean isMostAccurate() {
         return !game.errors().hasFailed() && asAccurate().isEmpty();
     }
 
-    /** The fastest that is written in Java, by step, of those timed. */
+    /** The engine in Java with the fastest step, among those timed. */
     Optional<Point> fastestJava() {
         return others().stream()
                 .filter(other -> !other.engine().startsWith(NATIVE))
@@ -59,14 +62,17 @@ final class Comparison {
                 .min(Comparator.comparingDouble(Comparison::micros));
     }
 
-    /** Time of our step over that of the fastest in Java; empty where one was not timed. */
+    /**
+     * The ratio of our step's time to that of the fastest engine in Java; empty if one was not
+     * timed.
+     */
     Optional<Double> slowdown() {
         return game.timing().isEmpty()
                 ? Optional.empty()
                 : fastestJava().map(other -> micros(game) / micros(other));
     }
 
-    /** Whether no Java engine's step takes less time, within what the timing can tell. */
+    /** Whether no engine in Java has a faster step, within the accuracy of the timing. */
     boolean isNoSlower() {
         Optional<Point> fastest = fastestJava();
         return fastest.isEmpty()

@@ -16,9 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/**
- * Above, the energy of the ball and what it should be; below, how far the one is from the other.
- */
+/** A figure with the energy of the ball and its true energy above, and their difference below. */
 final class EnergyFigure {
 
     private static final int TITLE = 18;
@@ -30,13 +28,13 @@ final class EnergyFigure {
     private static final double DESIGN_WIDTH = 9;
     private static final double LINE_WIDTH = 2;
 
-    /** Drift that is drawn at least: a double's last digit. */
+    /** The smallest drift that is drawn: the last digit of a double. */
     private static final double LEAST_DRIFT = 1e-16;
 
     private static final double LABEL_GAP = 6;
     private static final double LABEL_REACH = 90;
 
-    /** Of ours, whose lines are the darker the finer the preset, and of others. */
+    /** The colours of our presets, the finer the darker, and of other engines. */
     private static final String[] OURS = {Palette.SKY, Palette.BLUE, Palette.GREEN, Palette.INK};
 
     private static final String[] OTHERS = {Palette.VERMILLION, Palette.PURPLE, Palette.ORANGE};
@@ -55,7 +53,7 @@ final class EnergyFigure {
         this.others = others;
     }
 
-    /** All of it, so many px wide. */
+    /** Draws the figure with a width in px. */
     Drawing drawing(double width) {
         Drawing drawing = new Drawing(width);
         double y = TITLE + 8;
@@ -165,7 +163,7 @@ final class EnergyFigure {
         return String.format(Locale.ROOT, "%.3g", tick).replaceAll("\\.?0+$", "");
     }
 
-    /** What it shows, in words. */
+    /** Sentences that describe the figure. */
     List<String> sentences() {
         List<String> sentences = new ArrayList<>();
         sentences.add(

@@ -1,7 +1,7 @@
 package rigibo.lab.precision;
 
 /**
- * The energy of a run, sampled, as shares of what it began with.
+ * The sampled energy of a run, as shares of the initial energy.
  *
  * @param engine name
  * @param setting name
@@ -19,7 +19,7 @@ record EnergyTrace(
         double[] byDesign,
         double[] drift) {
 
-    /** The largest drift of all. */
+    /** The largest drift. */
     double most() {
         double most = 0;
         for (double one : drift) {

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * Where the numbers of a report come from.
+ * The environment in which the numbers of a report were measured.
  *
  * @param machine its processors and system
  * @param jvm name and version of the virtual machine
@@ -18,12 +18,12 @@ import java.util.Map;
 public record Environment(
         String machine, String jvm, String flags, String commit, String date, String command) {
 
-    /** This environment with other flags, for processes that were started with them. */
+    /** A copy with other flags, for processes that were started with them. */
     public Environment withFlags(String others) {
         return new Environment(machine, jvm, others, commit, date, command);
     }
 
-    /** All of it, for programs. */
+    /** All fields, for programs. */
     String json() {
         Map<String, String> fields = new LinkedHashMap<>();
         fields.put("processor", machine);
@@ -35,14 +35,14 @@ public record Environment(
         return JsonMapper.shared().writerWithDefaultPrettyPrinter().writeValueAsString(fields);
     }
 
-    /** All of it but the command, for people, in one sentence. */
+    /** One sentence about all but the command. */
     public String words() {
         return String.format(
                 "Measured on %s, on %s, with %s (%s), at commit %s.",
                 date, machine, jvm, flags, commit);
     }
 
-    /** All of it, for people, in two sentences of Markdown. */
+    /** Two sentences about all of it, in Markdown. */
     public String provenance() {
         return words() + " By `" + command + "`.";
     }

@@ -7,7 +7,7 @@ import rigibo.lab.precision.probe.Patience;
 import java.util.List;
 
 /**
- * An engine that is put to a problem, all of it in one process.
+ * The settings of an engine that one process runs at one problem.
  *
  * @param problem id
  * @param engine that is asked
@@ -16,7 +16,7 @@ import java.util.List;
  */
 record Exam(String problem, Engine engine, List<Setting> settings, Patience patience) {
 
-    /** Those that take turns: of settings that are the same under several names, one. */
+    /** The settings that are measured: one of each group of aliases. */
     List<Setting> measured() {
         return settings.stream().map(engine::standsFor).distinct().toList();
     }

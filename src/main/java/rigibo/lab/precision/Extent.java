@@ -4,16 +4,15 @@ import rigibo.lab.engine.Line;
 import rigibo.lab.precision.probe.Patience;
 import rigibo.lab.problem.Problem;
 
-/** How much is measured, and how carefully. */
+/** How much is measured and how carefully. */
 public enum Extent {
     /**
-     * Presets and other engines only, as many processes side by side as there are cores: in a
-     * minute and a half one sees where things are, but for the long problems, each of which takes
-     * minutes.
+     * Presets and other engines only, with one process per core. It takes a minute and a half, plus
+     * minutes for each long problem.
      */
     QUICK(new Patience(100, 100, 3, 500)),
 
-    /** Every setting, processes one after the other on the same core. */
+    /** All settings, with one process at a time on the same core. */
     FULL(new Patience(4000, 8000, 20, 40_000));
 
     private final Patience patience;

@@ -17,8 +17,8 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * Above a plot, where its errors end: those that failed, a row for each line, named and crossed at
- * what they cost. They have no error, but they were run.
+ * A band above a plot for the runs that failed and so have no error: a row for each line, with a
+ * cross at the cost of each run.
  */
 final class FailureBand {
 
@@ -78,7 +78,7 @@ final class FailureBand {
         return rows.stream().mapToDouble(row -> row.words().size() * LINE + CROSSES).sum();
     }
 
-    /** From a height downwards. */
+    /** Draws the band from a height downwards. */
     void draw(Picture picture, Scale across, double top) {
         double y = top;
         for (Row row : rows) {

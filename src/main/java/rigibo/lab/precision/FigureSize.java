@@ -1,8 +1,8 @@
 package rigibo.lab.precision;
 
 /**
- * How large a figure is, px. A wide one that is shrunk to a phone cannot be read: so there is one
- * that is narrow from the start.
+ * The sizes of a figure, px. A wide figure that is shrunk to a phone cannot be read, so there is a
+ * narrow one as well.
  *
  * @param width of all
  * @param left of the plot

@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The Pareto front of points by error and cost: those to which no other is preferred, because none
- * is as accurate for less nor more accurate for as little (V. Pareto, "Manuale di economia
- * politica", 1906). The question is whether more cost bought anything, and so errors are compared
- * as they are, down to rounding. Points that failed or were not timed are on no front.
+ * The Pareto front of points by error and cost (V. Pareto, "Manuale di economia politica", 1906):
+ * the points for which no other is at least as accurate and cheaper, or as cheap and more accurate.
+ * The question is whether a higher cost gained anything, so errors are compared exactly. Points
+ * that failed or were not timed are not considered.
  */
 final class Front {
 
-    /** What is within 10 % of the front, of the cost. */
+    /** The factor of cost within which a point counts as near the front. */
     static final double NEAR = 1.1;
 
     private static final Comparator<Point> BY_COST = Comparator.comparingDouble(Point::cost);
@@ -21,7 +21,7 @@ final class Front {
     private final List<Point> eligible;
     private final List<Point> points = new ArrayList<>();
 
-    /** Of these. */
+    /** The front of some points. */
     Front(List<Point> all) {
         eligible = all.stream().filter(Front::isEligible).toList();
         List<Point> sorted = new ArrayList<>(eligible);
@@ -35,7 +35,7 @@ final class Front {
         }
     }
 
-    /** Whether it is judged: it did not fail, and it was timed. */
+    /** Whether a point is considered: it did not fail, and it was timed. */
     static boolean isEligible(Point point) {
         return !point.errors().hasFailed() && point.cost() > 0;
     }
@@ -45,26 +45,29 @@ final class Front {
         return Math.max(ObservedOrder.ROUND_OFF, point.errors().main());
     }
 
-    /** Those on it, from the cheapest to the most accurate. */
+    /** The points on the front, from the cheapest to the most accurate. */
     List<Point> points() {
         return points;
     }
 
-    /** The cheapest that is no less accurate; empty where none is, not even the point itself. */
+    /**
+     * The cheapest point that is at least as accurate; empty if there is none, not even the point
+     * itself.
+     */
     Optional<Point> cheapestAsAccurateAs(Point point) {
         return eligible.stream().filter(other -> error(other) <= error(point)).min(BY_COST);
     }
 
     /**
-     * How many times more it costs than the cheapest that is no less accurate, 1 on the front: the
-     * distance to the front along the axis of cost. That axis and not the other, because it is cost
-     * that is measured with a spread, while errors are the same in every run.
+     * The cost of a point over that of the cheapest point that is at least as accurate; 1 on the
+     * front. This is the distance to the front along the axis of cost, since costs scatter, while
+     * errors are equal in every run.
      */
     double excess(Point point) {
         return cheapestAsAccurateAs(point).map(other -> point.cost() / other.cost()).orElse(1.0);
     }
 
-    /** Whether nothing that is no less accurate costs less than its cost / 1.1. */
+    /** Whether no point that is at least as accurate costs less than 1/1.1 of its cost. */
     boolean isNear(Point point) {
         return excess(point) <= NEAR;
     }

@@ -9,12 +9,17 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** Which presets lie on the front of their problem, and what the others cost too much, in words. */
+/**
+ * Says which presets lie on the front of their problem, and by how much the others are too
+ * expensive.
+ */
 final class FrontWords {
 
     private FrontWords() {}
 
-    /** Of the presets of some problems; those that failed or were not timed are not judged. */
+    /**
+     * A sentence about the presets of some problems, without those that failed or were not timed.
+     */
     static String of(List<Asked> all) {
         long judged = all.stream().mapToLong(asked -> judged(asked).size()).sum();
         long far = all.stream().mapToLong(asked -> far(asked).size()).sum();
@@ -43,7 +48,7 @@ final class FrontWords {
         return judged(asked).stream().filter(preset -> !asked.front().isNear(preset)).toList();
     }
 
-    /** Those that one and the same setting shows to be too dear are told together. */
+    /** Groups presets that the same cheaper setting shows to be too expensive. */
     private static String excesses(Asked asked) {
         Map<String, List<Point>> byCheaper =
                 far(asked).stream()

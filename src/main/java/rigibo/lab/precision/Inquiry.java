@@ -24,12 +24,12 @@ import java.util.stream.Stream;
  */
 public record Inquiry(List<String> problems, Extent extent, long seed, Path out) {
 
-    /** All that may be asked for. */
+    /** The names that may be asked for. */
     public static List<String> problemIds() {
         return Problems.all().stream().map(Problem::id).toList();
     }
 
-    /** All of it, by problem and engine. */
+    /** The exams, by problem and engine. */
     List<Exam> exams(List<Engine> engines) {
         List<Exam> exams = new ArrayList<>();
         for (String id : problems) {
@@ -44,8 +44,8 @@ public record Inquiry(List<String> problems, Extent extent, long seed, Path out)
     }
 
     /**
-     * One, whose settings take turns. Of a long problem every setting is an exam of its own: it has
-     * no turn to wait for, and so an interrupted report loses one setting and not all of them.
+     * One exam, whose settings take turns. For a long problem every setting is its own exam: it is
+     * timed only once, and an interrupted report loses one setting rather than all.
      */
     private List<Exam> exams(Problem problem, Engine engine) {
         List<Setting> settings =

@@ -9,7 +9,7 @@ import rigibo.lab.plot.Spot;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** Below a plot: the names for which there was no room in it. */
+/** The names below a plot for which it had no room. */
 final class Key {
 
     private static final double ROW = 24;
@@ -22,7 +22,7 @@ final class Key {
         entries.put(words, look);
     }
 
-    /** Draws it below a height and returns where it ends. */
+    /** Draws it below a height and returns its lower edge. */
     double draw(Picture picture, FigureSize size, double top) {
         double x = size.left();
         double y = top;

@@ -7,7 +7,7 @@ import rigibo.lab.plot.Picture;
 import rigibo.lab.plot.Spot;
 
 /**
- * How a line or an engine is drawn, the same in every figure.
+ * The appearance of a line or an engine, which is the same in every figure.
  *
  * @param color of its line and its marks
  * @param mark of its points
@@ -19,13 +19,16 @@ record Look(String color, Mark mark, double radius, boolean isHollow) {
     private static final double SMALL = 4.5;
     private static final double LARGE = 7.5;
 
-    /** In the order in which other engines come. */
+    /** The appearances of other engines, in their order. */
     private static final Mark[] PEERS = {Mark.UP, Mark.SQUARE, Mark.HEXAGON, Mark.DOWN};
 
-    /** Of those engines: told apart by their names' colours, too, where they lie close together. */
+    /**
+     * The colours of other engines, which their names share so that close marks can be
+     * distinguished.
+     */
     private static final String[] PEER_COLORS = {Palette.PURPLE, Palette.VERMILLION, Palette.DIM};
 
-    /** Of one of our lines. Lines of one colour have different marks. */
+    /** The appearance of one of our lines. Lines of one colour have different marks. */
     static Look of(Line line) {
         return switch (line) {
             case PRESETS -> new Look(Palette.INK, Mark.DISC, LARGE, false);
@@ -46,7 +49,7 @@ record Look(String color, Mark mark, double radius, boolean isHollow) {
         };
     }
 
-    /** Of an engine that is not ours, by its place among them. */
+    /** The appearance of another engine, by its index. */
     static Look peer(int index) {
         return new Look(
                 PEER_COLORS[index % PEER_COLORS.length],
@@ -71,7 +74,7 @@ record Look(String color, Mark mark, double radius, boolean isHollow) {
         }
     }
 
-    /** Of the words beside it. */
+    /** The colour of its label. */
     String wordsColor() {
         return Palette.forLetters(color);
     }

@@ -22,7 +22,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
 
-/** The figures beside those of single problems; only in a report of all problems. */
+/** The figures that are not about a single problem; only a report of all problems has them. */
 final class MoreFigures {
 
     private final Inquiry inquiry;
@@ -35,7 +35,7 @@ final class MoreFigures {
         this.tell = tell;
     }
 
-    /** Measures what they show, as much as was asked for. */
+    /** Measures what the figures show, to the extent asked for. */
     List<Section> sections() {
         if (!inquiry.problems().equals(Inquiry.problemIds())) {
             return List.of();
@@ -81,7 +81,7 @@ final class MoreFigures {
         return section("cases", "Hard cases", figure.sentences(), figure::drawing);
     }
 
-    /** With the figure by its width, px. */
+    /** A section whose figure is drawn for a width in px. */
     private static Section section(
             String name, String title, List<String> sentences, DoubleFunction<Drawing> figure) {
         List<Drawing> drawings =

@@ -8,9 +8,9 @@ import java.util.OptionalInt;
 import java.util.stream.IntStream;
 
 /**
- * At which power of the step the error falls along a line: p = log(e_h/e_k)/log(h/k) for each pair
- * of neighbouring steps h, k = h/2, and of these the median (P. J. Roache, "Verification and
- * Validation in Computational Science and Engineering", 1998, section 5.4).
+ * The observed order of convergence along a line: the median of p = log(e_h/e_k)/log(h/k) over all
+ * pairs of neighbouring steps h and k = h/2 (P. J. Roache, "Verification and Validation in
+ * Computational Science and Engineering", 1998, section 5.4).
  *
  * @param pairs whose errors are both above those of rounding
  * @param median over the pairs; NaN where there are fewer than two
@@ -19,28 +19,28 @@ import java.util.stream.IntStream;
  */
 record ObservedOrder(int pairs, double median, double least, double greatest) {
 
-    /** Errors less than this are of rounding: some thousand steps of 2⁻⁵³ each. */
+    /** The largest error that rounding explains: some thousand steps of 2⁻⁵³ each. */
     static final double ROUND_OFF = 1e-12;
 
     private static final int LEAST_PAIRS = 2;
 
-    /** So far from a whole number an order still is that one. */
+    /** The distance from a whole number within which an order counts as that number. */
     private static final double CLOSE = 0.25;
 
-    /** So far apart, the orders of single pairs are no order. */
+    /** The spread of the orders of single pairs beyond which there is no order. */
     private static final double IRREGULAR = 2;
 
-    /** What can be said of it. */
+    /** The verdict on an order. */
     enum Verdict {
-        /** That of the method. */
+        /** The order of the method. */
         AS_EXPECTED,
         HIGHER,
         LOWER,
-        /** Of a line whose method promises none. */
+        /** An order along a line whose method promises none. */
         SOME,
-        /** The error does not answer to the step. */
+        /** The error does not depend on the step. */
         FLAT,
-        /** It grows as the step shrinks. */
+        /** The error grows as the step shrinks. */
         RISING,
         IRREGULAR,
         /** Nothing is left but rounding. */
@@ -48,7 +48,7 @@ record ObservedOrder(int pairs, double median, double least, double greatest) {
         NOT_KNOWN
     }
 
-    /** Of the points of a line, in any order; those that failed are left out. */
+    /** The order of a line's points, in any order; failed points are ignored. */
     static ObservedOrder of(List<Point> line) {
         List<Point> sorted =
                 line.stream()
@@ -74,7 +74,7 @@ record ObservedOrder(int pairs, double median, double least, double greatest) {
         return Math.log(errors) / Math.log(coarse.setting().step() / fine.setting().step());
     }
 
-    /** Whether along a line the step is turned and nothing else. */
+    /** Whether only the step varies along a line. */
     static boolean isObservedOf(Line line) {
         return line.unit().equals("s");
     }
@@ -83,7 +83,7 @@ record ObservedOrder(int pairs, double median, double least, double greatest) {
         return !Double.isNaN(median);
     }
 
-    /** What the method of a line promises; nothing where the line turns no such method. */
+    /** The order that a line's method promises; empty if it promises none. */
     static OptionalInt expected(Line line) {
         return switch (line) {
             case STEP_EULER -> OptionalInt.of(1);
@@ -94,7 +94,7 @@ record ObservedOrder(int pairs, double median, double least, double greatest) {
         };
     }
 
-    /** Of a line whose errors are these. */
+    /** The verdict on a line with these points. */
     Verdict verdict(Line line, List<Point> points) {
         if (!isKnown()) {
             long exact = points.stream().filter(ObservedOrder::isRoundOff).count();

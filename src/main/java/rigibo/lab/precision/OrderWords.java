@@ -5,12 +5,12 @@ import rigibo.lab.engine.Line;
 import java.util.Locale;
 import java.util.OptionalInt;
 
-/** At which power of the step errors fall, in words, and why where it is not what is promised. */
+/** States the observed order of convergence, and explains it where it is not the promised one. */
 final class OrderWords {
 
     private OrderWords() {}
 
-    /** Of a line along which the step is turned. */
+    /** A sentence about a line along which the step varies. */
     static String of(Asked asked, Line line) {
         ObservedOrder order = ObservedOrder.of(asked.along(line));
         ObservedOrder.Verdict verdict = order.verdict(line, asked.along(line));

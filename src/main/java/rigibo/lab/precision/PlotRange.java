@@ -5,13 +5,13 @@ import rigibo.lab.plot.LogScale;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
-/** Which costs and errors the figure of a problem shows. */
+/** The ranges of cost and error in the figure of a problem. */
 final class PlotRange {
 
-    /** Free at an end, as a factor: room for a mark and its label. */
+    /** The factor left free at each end: room for a mark and its label. */
     private static final double ROOM = 1.6;
 
-    /** Below what is rounding nothing need be told apart. */
+    /** The smallest error that is shown; below it all is rounding. */
     private static final double BELOW_ROUND_OFF = 0.5;
 
     private final List<Point> drawn;
@@ -30,12 +30,12 @@ final class PlotRange {
         return drawn.stream().mapToDouble(point -> point.errors().main());
     }
 
-    /** Those that were timed and did not fail. */
+    /** The points that were timed and did not fail. */
     List<Point> drawn() {
         return drawn;
     }
 
-    /** At the lower edge; what is less is drawn there, too. */
+    /** The error at the lower edge; smaller ones are drawn there too. */
     double leastError() {
         return leastError;
     }

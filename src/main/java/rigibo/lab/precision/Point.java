@@ -8,7 +8,7 @@ import rigibo.lab.problem.Errors;
 import java.util.Optional;
 
 /**
- * One engine at one setting, put to one problem.
+ * The result of one engine at one setting and one problem.
  *
  * @param problem id
  * @param engine name
@@ -27,12 +27,12 @@ record Point(
         Work work,
         Optional<Timing> timing) {
 
-    /** Seconds that were simulated, of all worlds together. */
+    /** The simulated time of all worlds together, s. */
     double simulated() {
         return steps * setting.step();
     }
 
-    /** s of processor time for a second of simulation; NaN where it was not measured. */
+    /** The processor time per simulated second, s; NaN if it was not measured. */
     double cost() {
         return timing.map(took -> took.cpu() * 1e-6 / setting.step()).orElse(Double.NaN);
     }

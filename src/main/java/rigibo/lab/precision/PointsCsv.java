@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The points as two files of values that are joined by their first three columns. */
+/** The points as two CSV files, which share their first three columns as keys. */
 final class PointsCsv {
 
     private static final Object[] RESULTS = {
@@ -51,14 +51,14 @@ final class PointsCsv {
 
     private PointsCsv() {}
 
-    /** What every run computed: the same on every machine. */
+    /** The results of all runs, which are the same on every machine. */
     static List<String> results(List<Point> points) {
         List<String> lines = new ArrayList<>(List.of(Csv.line(RESULTS)));
         points.forEach(point -> lines.add(Csv.line(withKeys(point, result(point)))));
         return lines;
     }
 
-    /** What it took, of those that were timed. */
+    /** The times of the runs that were timed. */
     static List<String> timing(List<Point> points) {
         List<String> lines = new ArrayList<>(List.of(Csv.line(TIMING)));
         for (Point point : points) {

@@ -26,7 +26,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
-/** Has every problem solved by every engine at every setting that is asked for. */
+/** Runs every problem in every engine at every setting that is asked for. */
 final class PrecisionLab {
 
     private static final String LOG = "points.log";
@@ -49,12 +49,12 @@ final class PrecisionLab {
                                 : List.of(MeasuringJava.onLastCore()));
     }
 
-    /** Where what was found is kept. */
+    /** The log of results. */
     Kept kept() {
         return kept;
     }
 
-    /** How processes are run, in words. */
+    /** Describes how processes are run. */
     String method() {
         return free.element().words();
     }
@@ -122,7 +122,7 @@ final class PrecisionLab {
         }
     }
 
-    /** Everything that was asked for and found, in the order of engines and settings. */
+    /** The results of all settings that were asked for, in the order of engines and settings. */
     List<Point> points() {
         List<Point> points = new ArrayList<>();
         for (Exam exam : exams) {

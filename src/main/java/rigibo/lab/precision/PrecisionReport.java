@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What accuracy costs in time, told from the points that were measured. */
+/** The report on what accuracy costs in time. */
 final class PrecisionReport {
 
     private static final String CELLS = "Each cell: the error, and what a step takes.";
@@ -112,7 +112,7 @@ final class PrecisionReport {
                 List.of());
     }
 
-    /** The main sentences of what was found, a line each. */
+    /** The main findings, a sentence per line. */
     List<String> sentences() {
         return sentences.main();
     }

@@ -8,10 +8,10 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** What was found, in sentences whose numbers are those that were found. */
+/** Makes the sentences of the report from the measured numbers. */
 final class PrecisionSentences {
 
-    /** Problems whose figures are compared with other engines' before all. */
+    /** The problems for which there are aims against other engines. */
     private static final List<String> COMPARED = List.of("R1", "R2", "R5", "R6", "R8", "R10");
 
     private static final double NANOS_PER_MICRO = 1e3;
@@ -22,7 +22,7 @@ final class PrecisionSentences {
         this.all = all;
     }
 
-    /** The main ones. */
+    /** The main sentences. */
     List<String> main() {
         List<String> sentences = new ArrayList<>();
         sentences.add(
@@ -108,7 +108,7 @@ final class PrecisionSentences {
                 .orElse(one.game().problem());
     }
 
-    /** Of one problem. */
+    /** The sentences about one problem. */
     List<String> of(Asked asked) {
         List<String> sentences = new ArrayList<>();
         sentences.add(presets(asked));

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Measures what accuracy costs in time and writes it: tables, figures, page. */
+/** Measures what accuracy costs in time and writes tables, figures and a page. */
 public final class PrecisionStudy {
 
     private final Inquiry inquiry;

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** Errors, and beside each what a step took, a row for each problem. */
+/** Tables of errors, each with the time of a step beside it, a row for each problem. */
 final class PrecisionTables {
 
     private static final double NANOS_PER_MICRO = 1e3;
@@ -19,14 +19,14 @@ final class PrecisionTables {
         this.all = all;
     }
 
-    /** Of our presets. */
+    /** The table of our presets. */
     Table presets() {
         List<String> head = new ArrayList<>(List.of("problem"));
         all.get(0).presets().forEach(preset -> head.add(preset.setting().name()));
         return new Table(head, rows(Asked::presets));
     }
 
-    /** Of {@code GAME} and of other engines. */
+    /** The table of {@code GAME} and other engines. */
     Table engines() {
         List<String> head = new ArrayList<>(List.of("problem", "GAME"));
         others(all.get(0))
@@ -43,7 +43,7 @@ final class PrecisionTables {
         return asked.peers().stream().flatMap(peer -> asked.of(peer).stream());
     }
 
-    /** Whether there are any to be told. */
+    /** Whether there are points to show. */
     boolean hasEngines() {
         return !all.isEmpty() && others(all.get(0)).findAny().isPresent();
     }

@@ -14,7 +14,7 @@ import rigibo.lab.report.Amount;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Error against cost: every setting of every engine at one problem. */
+/** A figure of error over cost, with every setting of every engine at one problem. */
 final class WorkPrecisionFigure {
 
     private static final int TITLE = 18;
@@ -39,7 +39,7 @@ final class WorkPrecisionFigure {
         return !new PlotRange(asked).drawn().isEmpty();
     }
 
-    /** All of it. */
+    /** Draws the figure. */
     Drawing drawing() {
         double y = head();
         FailureBand failures = new FailureBand(asked, size.plotRight() - size.left());
@@ -94,7 +94,8 @@ final class WorkPrecisionFigure {
     }
 
     /**
-     * From the cheapest: so much error it is, until another that is dearer has less, if one has.
+     * Draws the front as steps: from each point to the cost of the next more expensive one with a
+     * smaller error.
      */
     private void front(Plot plot) {
         List<Spot> steps = new ArrayList<>();
@@ -111,7 +112,7 @@ final class WorkPrecisionFigure {
         }
     }
 
-    /** Named on the left, where marks are rarest: little is exact and cheap. */
+    /** The name stands on the left, where marks are rarest, since little is exact and cheap. */
     private void limit(double error, String words, Plot plot, LabelPlacer placer) {
         if (error < range.leastError()) {
             return;

@@ -13,16 +13,16 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 
-/** Lines, marks and their names within a plot of error against cost. */
+/** The lines, marks and names within a plot of error over cost. */
 final class WorkPrecisionMarks {
 
     private static final double LINE_WIDTH = 1.8;
     private static final double PEER_LINE_WIDTH = 1.2;
 
-    /** From a mark to its name, px. */
+    /** The distance between a mark and its name, px. */
     private static final double GAP = 3;
 
-    /** How far the name of a preset or of an engine may be from its mark, px. */
+    /** The largest distance of the name of a preset or an engine from its mark, px. */
     private static final double FAR = 220;
 
     private final Asked asked;
@@ -31,10 +31,10 @@ final class WorkPrecisionMarks {
     private final FigureSize size;
     private final LabelPlacer placer;
 
-    /** In the order in which they are given room. */
+    /** The labels in the order in which room is found for them. */
     private final List<Name> names = new ArrayList<>();
 
-    /** Words for one of some spots, whichever has room. */
+    /** A label for whichever of some spots has room. */
     private record Name(Look look, String words, List<Spot> spots, double reach) {}
 
     WorkPrecisionMarks(
@@ -46,7 +46,7 @@ final class WorkPrecisionMarks {
         this.placer = placer;
     }
 
-    /** Draws all of it; what cannot be named in the plot is named in the key. */
+    /** Draws all of it; names without room in the plot go into the key. */
     void draw(Key key) {
         List<Line> swept = asked.lines().stream().filter(Line::isSwept).toList();
         swept.forEach(line -> path(spots(asked.along(line)), LINE_WIDTH, Look.of(line)));
@@ -100,7 +100,7 @@ final class WorkPrecisionMarks {
         name(Look.of(line), line.words() + more, spots(asked.along(line)), size.reach());
     }
 
-    /** A number only where there is one: what rises and falls by turns has none. */
+    /** The observed order, if there is one: errors that rise and fall by turns have none. */
     private String orderAlong(Line line) {
         List<Point> points = asked.along(line);
         ObservedOrder order = ObservedOrder.of(points);
@@ -126,7 +126,7 @@ final class WorkPrecisionMarks {
         }
     }
 
-    /** Near any of its spots rather than far from the first. */
+    /** A label is better near any of its spots than far from the first. */
     private void place(Name name, Key key) {
         Look look = name.look();
         double gap = look.radius() + GAP;

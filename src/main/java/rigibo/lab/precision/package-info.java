@@ -1,5 +1,5 @@
 /**
- * What accuracy costs in time: every setting of every engine at every reference problem, its error
- * beside its time, in tables, figures and a page that opens offline.
+ * What accuracy costs in time: the errors and times of every setting of every engine at every
+ * reference problem, in tables, figures and a page that opens offline.
  */
 package rigibo.lab.precision;

@@ -31,7 +31,7 @@ final class Assembled {
     private static final Effects SPACE = Effects.of(new Contacts(), new Rotation(), new Joints());
     private static final Effects EARTH = SPACE.with(new Gravity(0, -Earth.GRAVITY));
 
-    /** Something fixed of which nothing is in anybody's way. */
+    /** A fixed body that collides with nothing. */
     private static final BodyDefinition HOOK = BodyDefinition.fixed(new Circle(0.01)).group(1);
 
     /** Hz of springs that swing freely, seen step by step; and of stiff ones, seen at rest. */

@@ -9,9 +9,7 @@ import rigibo.lab.engine.World;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Where a problem is set: gives out worlds of one engine at one setting, and counts what they do.
- */
+/** Makes worlds of one engine at one setting for a problem, and counts their work. */
 public final class Bench implements AutoCloseable {
 
     private final Engine engine;
@@ -28,12 +26,12 @@ public final class Bench implements AutoCloseable {
         this.isCounting = isCounting;
     }
 
-    /** A bench that counts the work of every step. */
+    /** A bench that counts the work of its steps. */
     public static Bench counting(Engine engine, Setting setting) {
         return new Bench(engine, setting, true);
     }
 
-    /** A bench whose steps are nothing but steps, so that they can be timed. */
+    /** A bench that only makes steps, so that they can be timed. */
     public static Bench timed(Engine engine, Setting setting) {
         return new Bench(engine, setting, false);
     }
@@ -45,7 +43,7 @@ public final class Bench implements AutoCloseable {
         return world;
     }
 
-    /** Whether errors are found; else steps are timed, and what nobody asks is not looked at. */
+    /** Whether errors are computed; otherwise steps are timed, and nothing else is computed. */
     public boolean isCounting() {
         return isCounting;
     }
@@ -72,7 +70,7 @@ public final class Bench implements AutoCloseable {
         steps++;
     }
 
-    /** How many steps come nearest to so many seconds. */
+    /** The number of steps nearest to a time in s. */
     public int stepsIn(double seconds) {
         return (int) Math.round(seconds / setting.step());
     }
@@ -83,14 +81,14 @@ public final class Bench implements AutoCloseable {
     }
 
     /**
-     * What steps took where they are counted; those of the first of several worlds, in which Java
-     * compiles the engine, are left out.
+     * The times of the steps of a counting bench. If there are several worlds, the first is left
+     * out, in which Java compiles the engine.
      */
     public StepTally tally() {
         return tally;
     }
 
-    /** What all steps did so far, where it is counted. */
+    /** The work of all steps so far, if it is counted. */
     public Work work() {
         return work;
     }

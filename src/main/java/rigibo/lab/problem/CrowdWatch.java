@@ -7,7 +7,7 @@ import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.engine.LinkErrors;
 import rigibo.lab.engine.World;
 
-/** A crowd in a world of its own, looked at after every step. */
+/** A crowd in its own world, examined after every step. */
 final class CrowdWatch {
 
     private final Bench bench;
@@ -49,12 +49,12 @@ final class CrowdWatch {
         gain = Math.max(gain, (energy - start - work) / start);
     }
 
-    /** Deepest overlap after any step up to now, in widths of the smaller body. */
+    /** The deepest overlap after any step so far, as a share of the smaller body's width. */
     double deepest() {
         return deepest;
     }
 
-    /** The most that a joint was off after any step up to now, m. */
+    /** The largest error of a joint after any step so far, m. */
     double jointError() {
         return jointError;
     }
@@ -74,13 +74,13 @@ final class CrowdWatch {
         return fastest;
     }
 
-    /** By how much the last body, the tip of a pyramid, is lower than at the start, m. */
+    /** How far the last body, the tip of a pyramid, has sunk since the start, m. */
     double sinkingOfLast() {
         int last = scene.bodies().size() - 1;
         return scene.bodies().get(last).y() - world.y(last);
     }
 
-    /** Whether something is below the floor, whose top is at 0, or nowhere. */
+    /** Whether a body is below the floor, whose top is at 0, or has no finite place. */
     boolean isLost() {
         for (int i = 0; i < scene.bodies().size(); i++) {
             if (isMoved(i) && !(world.y(i) > 0)) {

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * A scene as one of the game's demos has it.
+ * A scene of one of the game's demos.
  *
  * @param name of the demo
  * @param looks how often it is looked at before chaos sets in
@@ -20,22 +20,22 @@ import java.util.function.Consumer;
 record DemoScene(
         String name, int looks, Effects effects, double thrust, List<BodyDefinition> bodies) {
 
-    /** Between one look at it and the next, s: the longest step that is swept. */
+    /** The time between two looks, s: the longest step of the sweeps. */
     static final double LOOK = 1.0 / 30;
 
-    /** Bodies that move. */
+    /** The number of moving bodies. */
     int moving() {
         return (int) bodies.stream().filter(body -> body.type() == BodyType.DYNAMIC).count();
     }
 
-    /** Its bodies in a world. */
+    /** Adds its bodies to a world. */
     World build(World world) {
         bodies.forEach(world::add);
         return world;
     }
 
     /**
-     * Where all that move are at every look: their x and y in turn, m.
+     * The places of all moving bodies at every look: x and y in turn, m.
      *
      * @param steps from one look to the next
      * @param step makes one

@@ -24,12 +24,12 @@ final class Demos {
 
     private static final double REFERENCE_STEP = Setting.USUAL_STEP / 16;
 
-    /** Whoever is farther away has passed through something, m. */
+    /** The distance in m beyond which a body must have passed through another. */
     private static final double LOST = 1;
 
     private static final List<DemoScene> SCENES = DemoScenes.all();
 
-    /** Computed when it is first asked for. */
+    /** The reference, computed when first needed. */
     private static final class Reference {
 
         static final List<double[][]> PLACES = of();
@@ -85,7 +85,7 @@ final class Demos {
         return errors;
     }
 
-    /** Where the bodies of a scene are at EXACT and a sixteenth of a step. */
+    /** The places of a scene's bodies at EXACT and a sixteenth of the game's step. */
     static double[][] reference(DemoScene scene) {
         try (World world = RigiBoEngine.world(scene.effects(), Accuracy.EXACT)) {
             int steps = (int) Math.round(DemoScene.LOOK / REFERENCE_STEP);

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * How far from the truth a run ended.
+ * The errors of a run.
  *
  * @param main what the problem is known by, averaged over its phases; NaN where the run failed
  * @param others further errors, each named with its unit, in the order they are told
@@ -12,7 +12,7 @@ import java.util.Map;
  */
 public record Errors(double main, Map<String, Double> others, String failure) {
 
-    /** Errors of a run that came to its end; one that is not a finite number did not. */
+    /** The errors of a finished run; the run failed if its error is not finite. */
     public static Errors of(double main) {
         boolean isFinite = Double.isFinite(main);
         return new Errors(
@@ -24,14 +24,14 @@ public record Errors(double main, Map<String, Double> others, String failure) {
         return new Errors(Double.NaN, Map.of(), why);
     }
 
-    /** The same and one more error, named with its unit. */
+    /** A copy with one more error, named with its unit. */
     public Errors with(String name, double error) {
         Map<String, Double> more = new LinkedHashMap<>(others);
         more.put(name, error);
         return new Errors(main, more, failure);
     }
 
-    /** Whether nothing came out. */
+    /** Whether the run failed. */
     public boolean hasFailed() {
         return !failure.isEmpty();
     }

@@ -28,7 +28,7 @@ public record Problem(
         boolean isForAll,
         Setup setup) {
 
-    /** What is set, and run. */
+    /** Makes a trial of the problem. */
     @FunctionalInterface
     public interface Setup {
 
@@ -36,7 +36,7 @@ public record Problem(
         Trial set(Bench bench);
     }
 
-    /** One of seconds, for every engine. */
+    /** A problem of seconds, for every engine. */
     public Problem(
             String id,
             String title,
@@ -47,12 +47,12 @@ public record Problem(
         this(id, title, error, equalBelow, lines, false, true, setup);
     }
 
-    /** This problem, marked as one that takes minutes. */
+    /** A copy that is marked as taking minutes. */
     Problem ofMinutes() {
         return new Problem(id, title, error, equalBelow, lines, true, isForAll, setup);
     }
 
-    /** This problem, asked of our engine alone. */
+    /** A copy that only our engine is asked. */
     Problem ofOursAlone() {
         return new Problem(id, title, error, equalBelow, lines, isLong, false, setup);
     }

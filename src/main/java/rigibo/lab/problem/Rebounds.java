@@ -83,16 +83,16 @@ final class Rebounds {
         return Errors.of(Mean.of(apex)).with("time of landing, s", Mean.of(landing));
     }
 
-    /** What is seen of one ball. */
+    /** The observations of one ball. */
     static final class Rebound {
 
         private final Bounces truth;
         private boolean isRising;
 
-        /** Apexes so far. */
+        /** The number of apexes so far. */
         int seen;
 
-        /** Largest error of one, of the height of the drop. */
+        /** The largest error of an apex, as a share of the height of the drop. */
         double apex;
 
         /** Largest error of the time of an impact, s. */

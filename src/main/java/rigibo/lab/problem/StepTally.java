@@ -4,7 +4,7 @@ import rigibo.lab.child.ThreadUse;
 
 import java.util.function.LongSupplier;
 
-/** What steps take, without what is done between those that are measured. */
+/** The times of measured steps, without what is done between them. */
 public final class StepTally {
 
     private static final double NANOS_PER_MICRO = 1e3;
@@ -14,10 +14,11 @@ public final class StepTally {
     private long wallNanos;
     private long bytes;
 
-    /** Makes steps, of which {@code made} tells how many they were. */
+    /** Measures steps; {@code made} makes them and returns their number. */
     public void measure(LongSupplier made) {
         long wall = System.nanoTime();
-        // The processor's clock may allocate, so bytes are counted within it.
+        // Bytes are counted within the interval of the processor's clock, which may itself
+        // allocate.
         long cpu = ThreadUse.nanos();
         long allocated = ThreadUse.bytes();
         steps += made.getAsLong();
@@ -26,7 +27,7 @@ public final class StepTally {
         wallNanos += System.nanoTime() - wall;
     }
 
-    /** Steps that were measured. */
+    /** The number of measured steps. */
     public long steps() {
         return steps;
     }

@@ -1,9 +1,9 @@
 package rigibo.lab.problem;
 
-/** A problem that is set and not yet run. */
+/** A problem whose worlds are made and not yet stepped. */
 @FunctionalInterface
 public interface Trial {
 
-    /** Steps all worlds to the end and says how far from the truth they went; once. */
+    /** Steps all worlds to the end and returns their errors; called once. */
     Errors run();
 }

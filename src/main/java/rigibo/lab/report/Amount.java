@@ -2,7 +2,7 @@ package rigibo.lab.report;
 
 import java.util.Locale;
 
-/** Numbers for people: three digits that count, and the unit they are read best in. */
+/** Formats numbers for people, with three significant digits and the most readable unit. */
 public final class Amount {
 
     private static final String[] TIMES = {"ns", "µs", "ms", "s"};
@@ -11,7 +11,7 @@ public final class Amount {
 
     private Amount() {}
 
-    /** A time in ns, perhaps negative, such as {@code 12.3 µs}. */
+    /** A time in ns, possibly negative, such as {@code 12.3 µs}. */
     public static String time(double nanos) {
         int unit = 0;
         double value = nanos;
@@ -22,17 +22,17 @@ public final class Amount {
         return digits(value) + " " + TIMES[unit];
     }
 
-    /** The same with a plus where it is positive. */
+    /** A time in ns with its sign, such as {@code +12.3 µs}. */
     public static String signedTime(double nanos) {
         return (nanos > 0 ? "+" : "") + time(nanos);
     }
 
-    /** From one time in ns to another, such as {@code 1.23 µs to 1.31 µs}. */
+    /** A range of times in ns, such as {@code 1.23 µs to 1.31 µs}. */
     public static String times(double low, double high) {
         return time(low) + " to " + time(high);
     }
 
-    /** A number with three digits that count, below 1000. */
+    /** A number below 1000 with three significant digits. */
     public static String digits(double value) {
         double size = Math.abs(value);
         int decimals = size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2;
@@ -44,12 +44,12 @@ public final class Amount {
         return signed("%.4f", value);
     }
 
-    /** A number of % such as {@code 12.3}. */
+    /** A percentage such as {@code 12.3}. */
     public static String percent(double value) {
         return signed("%.1f", value);
     }
 
-    /** A positive number of any size with two digits that count, such as {@code 1.2 × 10⁻³}. */
+    /** A positive number of any size with two significant digits, such as {@code 1.2 × 10⁻³}. */
     public static String scientific(double value) {
         if (value == 0) {
             return "0";
@@ -65,7 +65,7 @@ public final class Amount {
         return String.format(Locale.ROOT, "%." + Math.max(0, 1 - power) + "f", value);
     }
 
-    /** Of ten, such as {@code 10⁻³}. */
+    /** A power of ten, such as {@code 10⁻³}. */
     public static String power(int power) {
         StringBuilder raised = new StringBuilder("10");
         for (char letter : Integer.toString(power).toCharArray()) {
@@ -74,12 +74,12 @@ public final class Amount {
         return raised.toString();
     }
 
-    /** A round number of s, such as {@code 10 µs}. */
+    /** A round time in s, such as {@code 10 µs}. */
     public static String roundTime(double seconds) {
         return time(seconds * 1e9).replaceFirst("\\.0+ ", " ");
     }
 
-    /** With a minus that is one, and none before zero. */
+    /** Uses a true minus sign, and none before zero. */
     private static String signed(String format, double value) {
         String digits = String.format(Locale.ROOT, format, value);
         boolean isZero = digits.matches("-[0.]+");

@@ -8,7 +8,7 @@ public final class Csv {
 
     private Csv() {}
 
-    /** One line, without its end; what would be read as more than one cell is quoted. */
+    /** One line without its line break; cells that contain separators are quoted. */
     public static String line(Object... cells) {
         return Stream.of(cells).map(cell -> quoted("" + cell)).collect(Collectors.joining(","));
     }

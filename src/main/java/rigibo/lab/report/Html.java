@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * A page that is one file: it opens without a network, needs no script, and reads on a phone and on
- * paper.
+ * A page in one file. It opens without a network, needs no script, and is readable on a phone and
+ * on paper.
  */
 public final class Html {
 

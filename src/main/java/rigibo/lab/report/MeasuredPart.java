@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * The part of a page of Markdown that a command writes: all below its heading, which is the last of
- * the page. What stands above is written by hand and stays.
+ * The part of a Markdown page that a command writes: all below its heading, which is the last one
+ * of the page. The text above is written by hand and kept.
  */
 public final class MeasuredPart {
 
@@ -15,7 +15,7 @@ public final class MeasuredPart {
     private MeasuredPart() {}
 
     /**
-     * Writes it anew, with its heading where the page has none.
+     * Rewrites the part, and adds its heading if the page has none.
      *
      * @param page made where there is none
      * @param markdown below the heading

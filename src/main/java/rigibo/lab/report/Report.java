@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 public record Report(String method, List<Passage> passages) {
 
     /**
-     * A table, what it is of, and sentences after it.
+     * A table with a description before it and sentences after it.
      *
      * @param name over it, at a terminal
      * @param title over it, on a page; empty where the report is this one table
@@ -47,12 +47,12 @@ public record Report(String method, List<Passage> passages) {
         }
     }
 
-    /** One table and sentences after it. */
+    /** A report of one table and sentences after it. */
     public static Report of(Table table, List<String> sentences) {
         return new Report("", List.of(new Passage("", "", "", table, sentences)));
     }
 
-    /** For a terminal. */
+    /** The lines for a terminal. */
     public List<String> text() {
         return passages.stream().flatMap(Passage::text).toList();
     }

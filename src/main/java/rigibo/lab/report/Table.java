@@ -5,17 +5,17 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Rows under a head, for two kinds of page.
+ * A table, for a terminal and for two kinds of page.
  *
  * @param head of the columns
  * @param rows each as long as the head
  */
 public record Table(List<String> head, List<List<String>> rows) {
 
-    /** Between two amounts in a cell; on a page of HTML they stand below each other. */
+    /** The separator between two amounts in a cell; in HTML they stand below each other. */
     public static final String BESIDE = " · ";
 
-    /** As Markdown; numbers, which are all columns but the first, to the right. */
+    /** The table in Markdown; all columns but the first hold numbers and are right-aligned. */
     public String markdown() {
         String rule = "|---" + "|---:".repeat(head.size() - 1) + "|";
         String body = rows.stream().map(Table::line).collect(Collectors.joining("\n"));
@@ -26,7 +26,7 @@ public record Table(List<String> head, List<List<String>> rows) {
         return "| " + String.join(" | ", cells) + " |";
     }
 
-    /** As lines for a terminal, columns padded with blanks; numbers to the right. */
+    /** The lines for a terminal, with padded columns and right-aligned numbers. */
     public List<String> text() {
         int[] widths = new int[head.size()];
         for (int i = 0; i < widths.length; i++) {
@@ -51,7 +51,7 @@ public record Table(List<String> head, List<List<String>> rows) {
         return line.toString();
     }
 
-    /** As HTML. */
+    /** The table in HTML. */
     public String html() {
         String body =
                 rows.stream()

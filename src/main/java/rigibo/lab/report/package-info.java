@@ -1,2 +1,2 @@
-/** How the laboratory's reports write down what was found: numbers, tables and files of values. */
+/** The formats of the laboratory's reports: numbers, tables and CSV files. */
 package rigibo.lab.report;

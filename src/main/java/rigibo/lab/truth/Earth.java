@@ -5,7 +5,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.setup.BodyDefinition;
 
-/** The surroundings of most scenes: what acts on the ground, and the ground. */
+/** The surroundings of most scenes: the effects on the ground, and the ground. */
 public final class Earth {
 
     /** Acceleration of gravity, m/s². */

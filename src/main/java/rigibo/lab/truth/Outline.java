@@ -4,8 +4,8 @@ import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Shape;
 
 /**
- * A body's outline in the world, and how far it is from another's: by every edge and every corner,
- * apart from any engine's own measure.
+ * The outline of a body in the world, and its distance from others. It compares every edge with
+ * every corner and uses no code of an engine.
  */
 public final class Outline {
 
@@ -14,7 +14,7 @@ public final class Outline {
     private double x;
     private double y;
 
-    /** Of a shape, at the origin until it is placed. */
+    /** The outline of a shape, at the origin until it is placed. */
     public Outline(Shape shape) {
         this.shape = shape;
         pieces = new Piece[shape.parts()];
@@ -24,13 +24,13 @@ public final class Outline {
         place(0, 0, 0);
     }
 
-    /** What it is the outline of. */
+    /** The shape of the outline. */
     public Shape shape() {
         return shape;
     }
 
     /**
-     * Puts it somewhere.
+     * Places the outline.
      *
      * @param metresX of the centre of mass
      * @param metresY of the centre of mass, up
@@ -46,12 +46,12 @@ public final class Outline {
         }
     }
 
-    /** No part of it is farther left, m. */
+    /** The x of its leftmost point, m. */
     double left() {
         return x - shape.boundingRadius();
     }
 
-    /** No part of it is farther right, m. */
+    /** The x of its rightmost point, m. */
     double right() {
         return x + shape.boundingRadius();
     }

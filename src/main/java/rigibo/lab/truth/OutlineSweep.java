@@ -9,8 +9,8 @@ import java.util.function.BiPredicate;
 import java.util.function.ToDoubleFunction;
 
 /**
- * The deepest overlap of outlines, wherever they are placed. It goes from left to right: only what
- * begins before an outline ends can overlap it.
+ * Finds the deepest overlap of outlines. It sweeps from left to right, since only outlines that
+ * begin before another ends can overlap it.
  */
 public final class OutlineSweep {
 
@@ -26,7 +26,7 @@ public final class OutlineSweep {
     private final List<Entry> entries = new ArrayList<>();
 
     /**
-     * A sweep of nothing yet.
+     * A sweep without outlines.
      *
      * @param unit of overlap by shape, m; of two shapes the lesser counts
      * @param meet whether two that overlap are not allowed to: those of a group are, and those that
@@ -46,9 +46,9 @@ public final class OutlineSweep {
         entries.add(new Entry(outline, givesWay, unit.applyAsDouble(outline.shape())));
     }
 
-    /** In units of the two that overlap deepest; 0 where none overlap. */
+    /** The deepest overlap, in units of the two outlines; 0 if none overlap. */
     public double deepest() {
-        // Between two steps hardly any outline overtakes another: the list is nearly sorted.
+        // The list is nearly sorted, since few outlines overtake each other between two steps.
         entries.sort(Comparator.comparingDouble(Entry::left));
         double deepest = 0;
         for (int i = 0; i < entries.size(); i++) {

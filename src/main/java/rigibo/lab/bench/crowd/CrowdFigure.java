@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Bodies against the time of a step, with the line that 60 steps a second must stay below. */
+/** A figure of the time of a step over the number of bodies, with a line at 60 steps per second. */
 public final class CrowdFigure {
 
     private static final int TITLE = 18;
@@ -40,13 +40,13 @@ public final class CrowdFigure {
     private final List<CrowdPoint> points;
     private final List<String> engines;
 
-    /** A figure of some points. */
+    /** A figure with the given points. */
     public CrowdFigure(List<CrowdPoint> points) {
         this.points = points;
         engines = points.stream().map(CrowdPoint::engine).distinct().toList();
     }
 
-    /** All of it, so many px wide. */
+    /** Draws the figure with a width in px. */
     public Drawing drawing(double width) {
         Drawing drawing = new Drawing(width);
         double y = TITLE + 8;
@@ -131,7 +131,7 @@ public final class CrowdFigure {
         return String.format(Locale.ROOT, "%,.0f", tick);
     }
 
-    /** What it shows, in words. */
+    /** Sentences that describe the figure. */
     public List<String> sentences() {
         List<String> sentences = new ArrayList<>();
         sentences.add(

@@ -1,7 +1,7 @@
 package rigibo.lab.bench.crowd;
 
 /**
- * A flood of so many discs.
+ * How long the steps of one flood took in one engine.
  *
  * @param engine name
  * @param bodies discs

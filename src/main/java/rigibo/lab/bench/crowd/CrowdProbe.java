@@ -12,7 +12,10 @@ import rigibo.lab.engine.World;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 
-/** The process: pours one flood with one engine and prints how long its steps took. */
+/**
+ * The main class of a process that simulates one flood in one engine and prints how long its steps
+ * took.
+ */
 public final class CrowdProbe {
 
     static final String MARK = "crowd ";
@@ -20,13 +23,13 @@ public final class CrowdProbe {
     private static final Flood TROUGH = new Flood(40, 0.25);
     private static final double NANOS_PER_MILLI = 1e6;
 
-    /** Bodies that are not discs: the floor and the walls, which are added first. */
+    /** The number of fixed bodies, the floor and the walls, which are added first. */
     private static final int WALLS = 3;
 
     private CrowdProbe() {}
 
     /**
-     * Pours it.
+     * Simulates the flood.
      *
      * @param arguments name of the engine, number of discs, steps before timing, steps timed
      */
@@ -58,7 +61,10 @@ public final class CrowdProbe {
         }
     }
 
-    /** The deepest overlap of two discs, or of one and the floor, m, from where they are. */
+    /**
+     * The deepest overlap of two discs, or of a disc and the floor, m, computed from their
+     * positions.
+     */
     private static double deepest(World world, int discs) {
         Integer[] byX =
                 IntStream.range(WALLS, WALLS + discs)

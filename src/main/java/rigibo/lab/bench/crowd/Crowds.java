@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** Pours floods of every size with every engine, each in a process of its own. */
+/** Simulates floods of every size in every engine, each in its own process. */
 public final class Crowds {
 
     private final List<Integer> sizes;
@@ -23,18 +23,18 @@ public final class Crowds {
         this.timed = timed;
     }
 
-    /** A look: up to 1,000 discs. */
+    /** A short run with up to 1,000 discs. */
     public static Crowds quick() {
         return new Crowds(List.of(100, 1000), 90, 45);
     }
 
-    /** Up to 10,000 discs, until they lie. */
+    /** The full run: up to 10,000 discs, until they are at rest. */
     public static Crowds full() {
         return new Crowds(List.of(100, 300, 1000, 3000, 10_000), 150, 90);
     }
 
     /**
-     * Runs all of them that were not run yet.
+     * Makes the runs that are missing.
      *
      * @param kept what was found so far
      * @param tell is told how far it is

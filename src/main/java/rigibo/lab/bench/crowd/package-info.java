@@ -1,2 +1,2 @@
-/** How long a step takes by how many bodies there are, for our engine and others. */
+/** The time of a step over the number of bodies, for our engine and others. */
 package rigibo.lab.bench.crowd;

@@ -11,30 +11,32 @@ import java.util.function.Consumer;
 import java.util.stream.IntStream;
 
 /**
- * Measures what a body costs in worlds of very many, in this process.
+ * Measures, in this process, what each body costs in very large worlds.
  *
  * @param sizes movable bodies of each world
  */
 public record LargeBench(List<Integer> sizes) {
 
-    /** A tenth of the other, so that a cost that grows faster than the world shows. */
+    /**
+     * Two sizes, one ten times the other, so that costs that grow faster than the world are seen.
+     */
     public static final List<Integer> SIZES = List.of(10_000, 100_000);
 
     private static final double DT = 1.0 / 60;
 
-    /** Steps until heaps have fallen asleep, and steps timed after them. */
+    /** The number of steps until the heaps sleep, and of the timed steps after them. */
     private static final int SETTLING = 120;
 
     private static final int TIMED = 60;
 
-    /** Steps of a sleeping world that are timed together. */
+    /** The number of steps of a sleeping world that are timed as one. */
     private static final int ASLEEP = 2_000;
 
-    /** Questions, and bodies removed. */
+    /** The number of queries, and of bodies removed. */
     private static final int ASKED = 1_000;
 
     /**
-     * Measures them all, the smallest once before, for the compiler.
+     * Measures all worlds, after one run of the smallest for the compiler.
      *
      * @param tell is told how far it is
      */
@@ -118,7 +120,7 @@ public record LargeBench(List<Integer> sizes) {
         return (ThreadUse.nanos() - begun) / (double) ASKED;
     }
 
-    /** Bytes that are in use once all garbage is gone. */
+    /** Bytes in use after a garbage collection. */
     private static long memory() {
         System.gc();
         return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();

@@ -1,7 +1,7 @@
 package rigibo.lab.bench.large;
 
 /**
- * What a world of very many bodies costs, processor times in ns.
+ * The costs of one very large world; processor times are in ns.
  *
  * @param bodies movable bodies of it
  * @param add a body added

@@ -6,7 +6,7 @@ import rigibo.lab.report.Table;
 
 import java.util.List;
 
-/** Tells what bodies cost in worlds of very many. */
+/** Reports what bodies cost in very large worlds. */
 final class LargeReport {
 
     private LargeReport() {}

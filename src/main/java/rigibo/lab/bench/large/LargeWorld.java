@@ -23,22 +23,25 @@ final class LargeWorld {
     private static final int STOREYS = 10;
     private static final int BESIDE = 5;
 
-    /** From one heap to the next, m. */
+    /** The distance between heaps, m. */
     private static final double PITCH = 30;
 
     private static final int HEAPS_IN_A_ROW = 50;
 
-    /** Discs on one floor, and from one to the next, m. */
+    /** The number of discs on a floor, and the distance between them, m. */
     private static final int ROLLING = 100;
 
     private static final double BETWEEN = 3;
     private static final double SPEED = 2;
     private static final double RADIUS = 0.25;
 
-    /** Left of all heaps, m. */
+    /** The x to the left of all heaps at which the floors of the rolling discs end, m. */
     private static final double LEFT = -1000;
 
-    /** Bodies in flight beside each other, from one to the next, and how they are thrown. */
+    /**
+     * The bodies in flight: their number in a row, their distance in m, their speed in m/s, their
+     * height in m.
+     */
     private static final int ABREAST = 400;
 
     private static final double SPACING = 2.5;
@@ -52,7 +55,7 @@ final class LargeWorld {
     /** The movable bodies, in the order they were added. */
     final List<RigidBody> bodies = new ArrayList<>();
 
-    /** A world of so many movable bodies, 500 or a multiple of it. */
+    /** A world with a number of movable bodies that is a multiple of 500. */
     static LargeWorld of(int count) {
         LargeWorld world = new LargeWorld();
         world.heaps(count * 3 / 5 / HEAP);
@@ -61,7 +64,7 @@ final class LargeWorld {
         return world;
     }
 
-    /** A world of heaps alone, which fall asleep. */
+    /** A world with heaps only, which fall asleep. */
     static LargeWorld ofHeaps(int count) {
         LargeWorld world = new LargeWorld();
         world.heaps(count / HEAP);

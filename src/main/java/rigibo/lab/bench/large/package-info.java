@@ -1,2 +1,2 @@
-/** What a body costs in worlds of very many. */
+/** What each body costs in very large worlds. */
 package rigibo.lab.bench.large;

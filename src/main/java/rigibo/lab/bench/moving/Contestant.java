@@ -13,27 +13,30 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * An engine as it is run.
+ * An engine at one of its settings.
  *
  * @param engine name
  * @param setting name of one of its settings
  */
 public record Contestant(String engine, String setting) {
 
-    /** Of ours, the fastest first. */
+    /** The names of our presets, the fastest first. */
     public static final List<String> PRESETS = List.of("DRAFT", "GAME", "FINE", "EXACT");
 
-    /** Ours as the game runs it. */
+    /** Our engine at the game's preset. */
     static final Contestant OURS = new Contestant(RigiBoEngine.NAME, "GAME");
 
     private static final String BOX2D = "gdx-box2d";
 
-    /** Speed in m/s up to which a body counts as still, and for the engines that keep trembling. */
+    /**
+     * The speed in m/s below which a body counts as still, in our engine and in those that never
+     * quite come to rest.
+     */
     private static final double STILL = 0.01;
 
     private static final double NEARLY_STILL = 0.05;
 
-    /** Ours at each of some presets, the others as they come. */
+    /** Our engine at some presets; another engine at its default setting. */
     public static Stream<Contestant> of(Engine engine, List<String> presets) {
         Setting first = engine.settings().get(0);
         return first.line() == Line.PEERS
@@ -46,12 +49,12 @@ public record Contestant(String engine, String setting) {
         return new Stage(asked, Engines.setting(asked, setting), scene);
     }
 
-    /** Whether it is ours. */
+    /** Whether this is our engine. */
     public boolean isOurs() {
         return engine.equals(RigiBoEngine.NAME);
     }
 
-    /** The engine that a Java programmer would take if speed were all. */
+    /** Whether this is the fastest engine that a Java programmer could choose. */
     public boolean isFastestPeer() {
         return Inquiry.shortName(engine).equals(BOX2D);
     }
@@ -60,7 +63,7 @@ public record Contestant(String engine, String setting) {
         return isOurs() ? STILL : NEARLY_STILL;
     }
 
-    /** For a table. */
+    /** The name in a table. */
     String words() {
         return isOurs() ? engine + " " + setting : engine;
     }

@@ -5,7 +5,7 @@ import rigibo.lab.bench.probe.StepTimes;
 import java.util.Arrays;
 
 /**
- * How a scene went in one engine.
+ * What happened in a scene in one engine, and how long it took.
  *
  * @param nanos processor time of each step, the median of several runs, ns
  * @param contacts of each step; empty where the engine does not tell
@@ -27,14 +27,14 @@ record Course(
         double bytes,
         double jointError) {
 
-    /** StepTimes of the first steps. */
+    /** The times of the first steps. */
     StepTimes times(int steps) {
         return new StepTimes(Arrays.copyOf(nanos, Math.min(steps, nanos.length)));
     }
 
     /**
-     * StepTimes of those of the first steps that have at least half of the most contacts: what an
-     * even step of a heap takes.
+     * The times of those among the first steps that have at least half of the largest number of
+     * contacts: typical steps of a heap.
      */
     StepTimes busyTimes(int steps) {
         int count = Math.min(steps, contacts.length);

@@ -21,7 +21,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * Lets every contestant have each moving scene, a process each, in turn.
+ * Runs each moving scene in every contestant, each run in its own process.
  *
  * @param scenes in the order of the report
  * @param contestants likewise
@@ -35,7 +35,7 @@ public record MovingBench(
     private static final String LOG = "moving.log";
     private static final int HEAP_MEGABYTES = 512;
 
-    /** How processes are run, in words. */
+    /** Describes how processes are run. */
     public String method() {
         return java().words();
     }
@@ -90,7 +90,7 @@ public record MovingBench(
         return new Report("", sections);
     }
 
-    /** Of everything that decides what is found, those who take part included. */
+    /** A key of all classes that influence the results, those of the other engines included. */
     private String key() {
         List<Engine> engines =
                 contestants.stream()

@@ -19,17 +19,17 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The process: lets one scene go several times in one engine, looks at it the first time and times
- * its steps every time. What a step does is the same each time, so that the median of a step over
- * the runs is free of what the system did meanwhile.
+ * The main class of a process that runs one scene several times in one engine. The first run is
+ * examined; the others are timed, step by step. Every run does the same, so the median of a step
+ * over the runs is free of disturbances by the system.
  */
 public final class MovingProbe {
 
     static final String MARK = "course ";
 
     /**
-     * How long in ns a scene goes again and again untimed at first: small ones end long before Java
-     * has compiled what they call.
+     * How long in ns a scene is repeated before it is timed; small scenes end long before Java has
+     * compiled them.
      */
     private static final long WARM_UP = 3_000_000_000L;
 
@@ -64,7 +64,10 @@ public final class MovingProbe {
                 MARK + Fields.line(measure(contestant, scene.scene().get(), steps, runs)));
     }
 
-    /** Lets it go once to look, for a while to warm up, and so many times to time it. */
+    /**
+     * Runs the scene once to examine it, then for a while to warm up, then a number of times to
+     * time it.
+     */
     static Course measure(Contestant contestant, Scene scene, int steps, int runs) {
         MovingProbe probe = new MovingProbe(contestant, scene, steps);
         probe.look();

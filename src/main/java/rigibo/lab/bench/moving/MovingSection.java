@@ -11,13 +11,16 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
-/** What is told of one scene that moves: by contestant how it went. */
+/** The part of the report about one moving scene, a row for each contestant. */
 final class MovingSection {
 
-    /** Least mean of the fastest peer, in times of ours. */
+    /** The aim for the mean step of the fastest other engine, as a multiple of ours. */
     private static final double FASTER = 2;
 
-    /** Of ours the 99th percentile, in times of the peer's, and of an even step of its own. */
+    /**
+     * The aims for our 99th percentile, as a multiple of that of the fastest other engine and of a
+     * typical step of ours.
+     */
     private static final double P99_BY_PEER = 0.5;
 
     private static final double P99_BY_EVEN_STEP = 3;
@@ -39,14 +42,17 @@ final class MovingSection {
     private final Map<Contestant, Course> courses;
     private final int steps;
 
-    /** Courses of a scene in the order of the report; of each so many steps. */
+    /**
+     * A section about the courses of a scene, in the order of the report, with a number of steps of
+     * each.
+     */
     MovingSection(String title, Map<Contestant, Course> courses, int steps) {
         this.title = title;
         this.courses = courses;
         this.steps = Math.max(1, Math.min(steps, moving() + 1));
     }
 
-    /** The last step in which anything moves in ours or in the fastest peer. */
+    /** The last step in which a body moves in our engine or in the fastest other one. */
     private int moving() {
         return courses.entrySet().stream()
                 .filter(e -> e.getKey().equals(Contestant.OURS) || e.getKey().isFastestPeer())
@@ -96,7 +102,8 @@ final class MovingSection {
     }
 
     /**
-     * Whether ours is as fast and as even as it is to be; nothing where one of both was not run.
+     * Says whether our engine is as fast and as even as is aimed for; empty if it or the fastest
+     * other engine was not run.
      */
     List<String> sentences() {
         Optional<Course> peer =

@@ -15,13 +15,13 @@ import java.util.List;
  */
 record MovingTask(BenchScene scene, int fingerprint, Contestant contestant, int steps, int runs) {
 
-    /** What the process is told. */
+    /** The arguments of the process. */
     List<String> arguments() {
         return List.of(
                 scene.name(), contestant.engine(), contestant.setting(), "" + steps, "" + runs);
     }
 
-    /** Under which what it finds is kept. */
+    /** The key under which the result is kept. */
     String name() {
         return String.join(" | ", arguments()) + " | " + Integer.toHexString(fingerprint);
     }

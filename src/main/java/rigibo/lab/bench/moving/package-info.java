@@ -1,5 +1,5 @@
 /**
- * Scenes in which much moves, timed beside other engines step by step, and what became of them
- * while they moved: speed that is bought by passing through each other is seen.
+ * Scenes in which much moves, timed step by step in our engine and in others. The scenes are
+ * examined too, so that speed gained by letting bodies overlap is noticed.
  */
 package rigibo.lab.bench.moving;

@@ -7,15 +7,15 @@ import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
 import rigibo.lab.engine.Setting;
 
-/** Times the steps of one scene by one engine, and looks at what became of it. */
+/** Times the steps of one scene in one engine, and examines where the bodies end. */
 public final class BenchProbe {
 
-    /** What the line begins with that holds a sample. */
+    /** The beginning of the line that holds a sample. */
     public static final String MARK = "sample ";
 
     private static final double NANOS_PER_SECOND = 1e9;
 
-    /** A rehearsal ends after so many runs: of a short scene all is compiled by then. */
+    /** The most runs of a rehearsal, after which all that a short scene calls is compiled. */
     private static final int MOST_REHEARSALS = 20;
 
     private final Engine engine;
@@ -60,7 +60,7 @@ public final class BenchProbe {
                 stage.drive();
                 stage.step();
             }
-            // What rehearsal and settling left is collected now, not in the midst of a step.
+            // Collects the garbage of rehearsal and settling now rather than during a timed step.
             System.gc();
             double[] nanos = new double[pace.timed()];
             double[] bytes = new double[pace.timed()];

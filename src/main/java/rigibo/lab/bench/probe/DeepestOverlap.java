@@ -13,17 +13,23 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 
-/** The deepest overlap of two bodies of a scene, from where they are, whatever the engine says. */
+/**
+ * The deepest overlap of two bodies of a scene, computed from their positions, whatever the engine
+ * reports.
+ */
 public final class DeepestOverlap {
 
     private DeepestOverlap() {}
 
-    /** m; 0 where none overlap. */
+    /** The deepest overlap in m; 0 if no bodies overlap. */
     static double in(Scene scene, World world) {
         return deepest(scene, world, shape -> 1);
     }
 
-    /** In widths, the smallest extents, of the smaller of the two bodies; 0 where none overlap. */
+    /**
+     * The deepest overlap as a share of the width of the smaller of the two bodies; 0 if none
+     * overlap.
+     */
     public static double inWidths(Scene scene, World world) {
         return deepest(scene, world, Shape::smallestWidth);
     }

@@ -6,14 +6,14 @@ import rigibo.backend.setup.BodyType;
 
 import java.util.List;
 
-/** The floors that bodies stand over as a scene begins. */
+/** The floors below bodies at the start of a scene. */
 final class Grounds {
 
     private Grounds() {}
 
     /**
-     * For each body the top of the highest fixed body below it, m; 0 where there is none. Fixed
-     * bodies are taken by their bounds.
+     * For each body, the top of the highest fixed body below it, m, or 0 if there is none. The
+     * bounds of the fixed bodies are used.
      */
     static double[] below(List<BodyDefinition> bodies) {
         List<Aabb> fixed =

@@ -10,14 +10,14 @@ import rigibo.lab.engine.World;
 import java.util.List;
 
 /**
- * How high a scene's bodies are and what energy they have, from where engines say they are.
+ * The mean height and the energy of a scene's bodies, computed from their positions and velocities.
  *
  * @param height of the dynamic bodies over the grounds they began over, mean, m
  * @param energy of their motion and of their height over those grounds, J
  */
 public record Look(double height, double energy) {
 
-    /** What a world looks like now. */
+    /** The present height and energy of a world. */
     public static Look at(Scene scene, World world) {
         List<BodyDefinition> bodies = scene.bodies();
         double[] grounds = Grounds.below(bodies);

@@ -6,32 +6,35 @@ import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.World;
 
-/** A scene in a world of some engine. */
+/** A scene in a world of an engine. */
 public final class Stage implements AutoCloseable {
 
     private final Scene scene;
     private final World world;
     private int made;
 
-    /** A world with all bodies of a scene. */
+    /** Makes a world with all bodies of a scene. */
     public Stage(Engine engine, Setting setting, Scene scene) {
         this.scene = scene;
         world = engine.world(scene.effects(), setting);
         scene.build(world);
     }
 
-    /** Where to look at what became of the bodies; its steps are made here alone. */
+    /** The world, for reading the state of its bodies; only this class makes its steps. */
     public World world() {
         return world;
     }
 
-    /** Moves what is driven: not part of what is timed, for it is ours and not the engine's. */
+    /**
+     * Moves the driven bodies. It is not timed, since it is the bench's work and not the engine's.
+     */
     public void drive() {
         scene.driver().drive(world, made);
     }
 
     /**
-     * The step alone, after {@link #drive}; and what a loss costs, for it wakes who leaned on it.
+     * Makes a step, after {@link #drive}. The removal of a body is part of it, since waking its
+     * neighbours is the engine's work.
      */
     public void step() {
         scene.loss().befall(world, made);

@@ -8,7 +8,9 @@ public final class StepMeter {
     private long nanos;
     private long bytes;
 
-    /** Makes a step. The processor's clock may allocate, so bytes are counted within it. */
+    /**
+     * Makes a step. Bytes are counted within the interval of the clock, which may itself allocate.
+     */
     public void measure(Stage stage) {
         long begun = ThreadUse.nanos();
         long allocated = ThreadUse.bytes();

@@ -3,12 +3,12 @@ package rigibo.lab.bench.probe;
 import java.util.Arrays;
 import java.util.stream.DoubleStream;
 
-/** What each of a number of steps took or allocated; one step at least. */
+/** What each of one or more steps took or allocated. */
 public final class StepTimes {
 
     private final double[] sorted;
 
-    /** Values of steps in any order. */
+    /** Takes the values of the steps, in any order. */
     public StepTimes(double[] values) {
         sorted = values.clone();
         Arrays.sort(sorted);
@@ -22,7 +22,7 @@ public final class StepTimes {
         return percentile(50);
     }
 
-    /** The 99th percentile: of fewer than 100 values the greatest. */
+    /** The 99th percentile; the greatest value if there are fewer than 100. */
     public double p99() {
         return percentile(99);
     }
@@ -31,7 +31,10 @@ public final class StepTimes {
         return sorted[sorted.length - 1];
     }
 
-    /** The least value that is no less than a share of all values, by the nearest rank. */
+    /**
+     * A percentile by the nearest rank: the smallest value that is at least as large as that share
+     * of all values.
+     */
     private double percentile(int percent) {
         return sorted[(percent * sorted.length + 99) / 100 - 1];
     }

@@ -1,2 +1,2 @@
-/** What runs in a process of its own: one engine, one scene, timed and looked at. */
+/** The code of the processes that run one scene in one engine, time it and examine it. */
 package rigibo.lab.bench.probe;

@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * Asks every contestant, each in a process of its own.
+ * Times queries in every contestant, each in its own process.
  *
  * @param contestants in the order of the report
  * @param runs by which everything is timed
@@ -21,13 +21,13 @@ public record QueryBench(List<Contestant> contestants, int runs) {
 
     private static final int HEAP_MEGABYTES = 512;
 
-    /** How processes are run, in words. */
+    /** Describes how processes are run. */
     public String method() {
         return MeasuringJava.onLastCore(HEAP_MEGABYTES).words();
     }
 
     /**
-     * Asks them all.
+     * Times all contestants.
      *
      * @param tell is told how far it is
      * @throws IllegalStateException when a process breaks off, with what it said

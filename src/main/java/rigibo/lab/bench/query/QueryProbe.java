@@ -17,33 +17,33 @@ import rigibo.lab.engine.World;
 
 import java.util.Random;
 
-/** The process: asks one engine rays of every kind, and ours what sensors cost. */
+/** The main class of a process that times rays of every kind in one engine, and sensors in ours. */
 public final class QueryProbe {
 
     static final String MARK = "answers ";
 
-    /** Discs that rays may meet, and rays of each kind. */
+    /** The number of discs that rays may hit, and of rays of each kind. */
     static final int DISCS = 10_000;
 
     static final int RAYS = 10_000;
 
-    /** Sensors, and bodies that may be inside of them. */
+    /** The number of sensors, and of bodies that may be inside them. */
     static final int SENSORS = 1000;
 
     static final int VISITORS = 2000;
 
     private static final Effects TOUCHING = Effects.of(new Contacts());
 
-    /** m between the places of discs, and their radius: a ray goes 20 m on average. */
+    /** The spacing of the discs and their radius, m. The mean free path of a ray is 20 m. */
     private static final double APART = 3;
 
     private static final double RADIUS = 0.225;
     private static final double STEP = 1.0 / 60;
 
-    /** Runs before those that count: until all is compiled. */
+    /** The runs before the timed ones, until all code is compiled. */
     private static final int WARM = 5;
 
-    /** Steps of a run with sensors. */
+    /** The number of steps of a run with sensors. */
     private static final int STEPS = 60;
 
     private QueryProbe() {}
@@ -64,7 +64,7 @@ public final class QueryProbe {
         }
     }
 
-    /** Fills a world with discs and asks it. */
+    /** Fills a world with discs and casts rays in it. */
     static Answers rays(World world, int runs) {
         int side = (int) Math.sqrt(DISCS);
         Random random = new Random(1);
@@ -100,7 +100,7 @@ public final class QueryProbe {
         return sum;
     }
 
-    /** Median step with sensors less that without, ns. */
+    /** The median step with sensors minus the median step without, ns. */
     private static double sensing(int runs) {
         double[] with = new double[(WARM + runs) * STEPS];
         double[] without = new double[(WARM + runs) * STEPS];
@@ -126,7 +126,7 @@ public final class QueryProbe {
         }
     }
 
-    /** Discs that drift among sensors, which about a twentieth of them is inside of. */
+    /** A pool of discs that drift among sensors; about a twentieth of them is inside one. */
     private static Pool drifting(boolean senses) {
         Pool pool = new Pool(senses ? TOUCHING.with(new Sensors()) : TOUCHING, Accuracy.GAME);
         Random random = new Random(2);

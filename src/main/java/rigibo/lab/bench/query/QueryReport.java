@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** What questions cost, for a terminal and for a page. */
+/** The report about queries, for a terminal and for a page. */
 final class QueryReport {
 
     /** Least time of the fastest peer, in times of ours. */
@@ -19,7 +19,10 @@ final class QueryReport {
     /** The most that sensors may add to a step, ns. */
     private static final double MOST_SENSING = 0.3e6;
 
-    /** Share by which mean ways may differ: those who count in floats miss some rims. */
+    /**
+     * The share by which mean paths may differ, since engines that compute in floats miss some
+     * rims.
+     */
     private static final double SAME = 1e-3;
 
     private final Map<Contestant, Answers> found;

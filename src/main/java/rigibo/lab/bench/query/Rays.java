@@ -2,7 +2,7 @@ package rigibo.lab.bench.query;
 
 import java.util.Random;
 
-/** The ways that rays go, all of them from random points of a square. */
+/** The directions of rays, which begin at random points of a square. */
 enum Rays {
     /** To the right. */
     LEVEL("level") {
@@ -12,7 +12,7 @@ enum Rays {
             ray[at + 3] = ray[at + 1];
         }
     },
-    /** To the right and up, where the box round a ray is largest. */
+    /** To the right and up, where the bounds of a ray are largest. */
     DIAGONAL("diagonal") {
         @Override
         void aim(Random random, double[] ray, int at) {
@@ -20,7 +20,7 @@ enum Rays {
             ray[at + 3] = ray[at + 1] + LENGTH * Math.sqrt(0.5);
         }
     },
-    /** Any way. */
+    /** In a random direction. */
     RANDOM("random") {
         @Override
         void aim(Random random, double[] ray, int at) {
@@ -30,10 +30,10 @@ enum Rays {
         }
     };
 
-    /** Numbers of a ray: where it begins and where it ends, x and y, m. */
+    /** The numbers of a ray: x and y of its start and of its end, m. */
     static final int STRIDE = 4;
 
-    /** Of a ray that meets nobody, m. */
+    /** The length of a ray that hits nothing, m. */
     private static final double LENGTH = 100;
 
     final String words;
@@ -42,10 +42,10 @@ enum Rays {
         this.words = words;
     }
 
-    /** Ends a ray whose beginning is written. */
+    /** Writes the end of a ray whose start is written. */
     abstract void aim(Random random, double[] ray, int at);
 
-    /** So many rays from points of a square of so many m about the origin. */
+    /** Draws rays that start within a square about the origin. */
     double[] draw(long seed, int count, double square) {
         Random random = new Random(seed);
         double[] rays = new double[STRIDE * count];

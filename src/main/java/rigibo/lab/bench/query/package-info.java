@@ -1,5 +1,5 @@
 /**
- * What questions cost: rays among many discs, beside the engine that answers them fastest, and
- * sensors. Angles are rad, lengths m, times ns.
+ * The cost of queries: rays among many discs, compared with the fastest other engine, and sensors.
+ * Angles are in rad, lengths in m, times in ns.
  */
 package rigibo.lab.bench.query;

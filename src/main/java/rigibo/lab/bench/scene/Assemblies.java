@@ -15,18 +15,18 @@ import java.util.List;
 /** Crowds of joined bodies. */
 public final class Assemblies {
 
-    /** What a crowd calls for, and joints. */
+    /** The effects of a crowd, and joints. */
     public static final Effects EFFECTS = Crowd.EFFECTS.with(new Joints());
 
     private static final Material STUFF = new Material(1, 0.6, 0);
 
-    /** Of a ragdoll's hinges, rad either way. */
+    /** The limits of a ragdoll's hinges, rad in either direction. */
     private static final double BEND = 0.8;
 
-    /** Dry friction of a ragdoll's hinges, N·m. */
+    /** The dry friction of a ragdoll's hinges, N·m. */
     private static final double STIFFNESS = 1;
 
-    /** From one ragdoll of a row to the next, and from row to row, m. */
+    /** The distance between ragdolls in a row, and between rows, m. */
     private static final double BESIDE = 2;
 
     private static final double ABOVE = 2.2;
@@ -53,7 +53,7 @@ public final class Assemblies {
         add(BodyDefinition.fixed(Polygon.box(width, 2)).at(0, -1));
     }
 
-    /** A net of so many by so many hinged discs that hangs by its upper corners. */
+    /** A square net of hinged discs that hangs by its upper corners. */
     public static Scene grid(int side) {
         Assemblies net = new Assemblies();
         Shape disc = new Circle(0.1);
@@ -77,7 +77,7 @@ public final class Assemblies {
         return net.scene();
     }
 
-    /** So many ragdolls that fall on each other between two walls. */
+    /** Ragdolls that fall on each other between two walls. */
     public static Scene ragdolls(int count) {
         Assemblies pile = new Assemblies();
         int beside = Math.max(1, (int) Math.round(Math.sqrt(count)));
@@ -96,7 +96,7 @@ public final class Assemblies {
     }
 
     /**
-     * So many ragdolls that fall down eight stairs.
+     * Ragdolls that fall down eight stairs.
      *
      * @param higher by how much they begin higher, m
      */
@@ -135,7 +135,7 @@ public final class Assemblies {
         links.add(Link.hinge(a, b, x, y).limits(-BEND, BEND).motor(0, STIFFNESS));
     }
 
-    /** Bridges one above the other, each of so many planks, on each of which discs fall. */
+    /** Bridges one above the other, with discs that fall on each. */
     public static Scene bridges(int count, int planks) {
         Assemblies all = new Assemblies();
         for (int i = 0; i < count; i++) {
@@ -163,7 +163,7 @@ public final class Assemblies {
         }
     }
 
-    /** So many doors seen from above, thrown open, each pulled shut by a damped spring. */
+    /** Doors seen from above; they are thrown open, and a damped spring pulls each shut. */
     public static Scene doors(int count) {
         Assemblies all = new Assemblies();
         for (int i = 0; i < count; i++) {
@@ -183,7 +183,7 @@ public final class Assemblies {
         return all.scene();
     }
 
-    /** So many cars, each with two driven wheels on springs, that drive over bumps. */
+    /** Cars with two driven wheels on springs that drive over bumps. */
     public static Scene cars(int count) {
         Assemblies all = new Assemblies();
         double length = 6.0 * count + 200;

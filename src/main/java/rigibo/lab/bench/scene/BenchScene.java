@@ -3,7 +3,7 @@ package rigibo.lab.bench.scene;
 import java.util.function.Supplier;
 
 /**
- * A scene that is measured under a name.
+ * A named scene of the bench.
  *
  * @param name as it is asked for
  * @param what it is, in words
@@ -12,7 +12,7 @@ import java.util.function.Supplier;
  */
 public record BenchScene(String name, String what, Pace pace, Supplier<Scene> scene) {
 
-    /** The same with so many timed steps. */
+    /** A copy with another number of timed steps. */
     public BenchScene timing(int steps) {
         return new BenchScene(name, what, pace.timing(steps), scene);
     }

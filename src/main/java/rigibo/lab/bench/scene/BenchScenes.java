@@ -6,29 +6,32 @@ import java.util.NoSuchElementException;
 import java.util.stream.Stream;
 
 /**
- * Every scene but the level, which only the game can read. Steps are so many that each scene shows
- * what it is for and that the slowest engine takes a minute at most.
+ * All scenes of the bench but the level, which only the game can read. The numbers of steps are
+ * chosen so that each scene shows what it is for and the slowest engine takes at most a minute.
  */
 public final class BenchScenes {
 
-    /** What the names of the sweep's scenes begin with; the number of discs follows. */
+    /** The beginning of the names of the sweep's scenes; the number of discs follows. */
     private static final String SWEPT = "flood-of-";
 
-    /** Sizes that every engine is asked for, in discs. */
+    /** The sizes that every engine runs, in discs. */
     private static final List<Integer> SIZES = List.of(100, 300, 1000, 3000, 10_000);
 
-    /** Sizes that only ours is asked for, since the slowest of the others take minutes. */
+    /** The sizes that only our engine runs, since the slowest others would take minutes. */
     private static final List<Integer> LARGE_SIZES = List.of(20_000, 50_000);
 
-    /** The discs of the sweep have fallen and come to lie within 3 s. */
+    /** The pace of the sweep, whose discs are at rest within 3 s. */
     private static final Pace SWEEP = new Pace(2, 0, 180);
 
-    /** The first of so few timed steps, in which the box goes, is the 99th percentile. */
+    /**
+     * The pace of the undermined pyramid. There are so few timed steps that the first, in which the
+     * box is removed, is the 99th percentile.
+     */
     private static final Pace UNDERMINED = new Pace(2, 120, 60);
 
     private BenchScenes() {}
 
-    /** Those with a name of their own. */
+    /** The scenes outside the sweep. */
     public static List<BenchScene> all() {
         return List.of(
                 new BenchScene(
@@ -78,7 +81,7 @@ public final class BenchScenes {
     }
 
     /**
-     * The scene of a name, of the sweep or not.
+     * The scene with a name, in the sweep or not.
      *
      * @throws NoSuchElementException naming it where there is none
      */
@@ -89,7 +92,7 @@ public final class BenchScenes {
                 .orElseThrow(() -> new NoSuchElementException("no scene '" + name + "'"));
     }
 
-    /** The same flood of discs, ever wider. */
+    /** The sweep: floods of equal depth and growing width. */
     public static List<BenchScene> sweep() {
         return Stream.concat(SIZES.stream(), LARGE_SIZES.stream()).map(BenchScenes::swept).toList();
     }
@@ -102,7 +105,7 @@ public final class BenchScenes {
                 () -> Floods.asDeepAsAny(discs));
     }
 
-    /** Whether a scene is of the sweep. */
+    /** Whether a scene belongs to the sweep. */
     public static boolean isSwept(String name) {
         return name.startsWith(SWEPT);
     }
@@ -112,7 +115,7 @@ public final class BenchScenes {
         return Integer.parseInt(name.substring(SWEPT.length()));
     }
 
-    /** Whether engines other than ours are asked for a scene. */
+    /** Whether engines other than ours run a scene. */
     public static boolean isForAll(String name) {
         return !isSwept(name) || SIZES.contains(discs(name));
     }

@@ -10,8 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What was built and is set into motion. All declare what a {@link Crowd} does; the struck pyramid
- * also thrust, by which it is struck.
+ * Structures that are set into motion. All declare the effects of a {@link Crowd}; the struck
+ * pyramid also declares thrust.
  */
 public final class Commotions {
 
@@ -20,14 +20,17 @@ public final class Commotions {
 
     private Commotions() {}
 
-    /** A pyramid that falls together from equal vertical gaps in m. */
+    /** A pyramid that settles, from equal vertical gaps in m. */
     public static Scene settling(int base, double gap) {
         List<BodyDefinition> bodies = floor();
         Solid.pyramid(Solid.box(1, 1), base, 1, gap).forEach(bodies::add);
         return scene(bodies);
     }
 
-    /** A pyramid whose foot is struck each second, as hard as makes one of its boxes go 10 m/s. */
+    /**
+     * A pyramid whose foot is struck each second, by an impulse that would give one of its boxes 10
+     * m/s.
+     */
     public static Scene struck(int base) {
         List<BodyDefinition> bodies = floor();
         Solid.pyramid(Solid.box(1, 1), base, 1, 0).forEach(bodies::add);
@@ -49,7 +52,7 @@ public final class Commotions {
         return scene(bodies);
     }
 
-    /** So many boxes on a belt of 3 m/s that carries them against a wall. */
+    /** Boxes on a belt of 3 m/s that carries them against a wall. */
     public static Scene belt(int boxes) {
         List<BodyDefinition> bodies = new ArrayList<>();
         bodies.add(BodyDefinition.kinematic(Polygon.box(FLOOR, 2)).at(0, -1));
@@ -58,7 +61,7 @@ public final class Commotions {
         return new Scene(Crowd.EFFECTS, stone(bodies), new Belt(3));
     }
 
-    /** So many boxes in a closed box that is shaken at 6 g and 3 Hz. */
+    /** Boxes in a closed box that is shaken at 6 g and 3 Hz. */
     public static Scene shaken(int boxes) {
         int columns = (int) Math.ceil(Math.sqrt(boxes));
         double side = 1.2 * columns + 1;

@@ -27,7 +27,7 @@ public enum Crowd {
     DISCS(1),
     MIXED(0.5);
 
-    /** What a crowd calls for. */
+    /** The effects of a crowd. */
     public static final Effects EFFECTS =
             Effects.of(
                     new Gravity(0, -9.81),
@@ -37,31 +37,31 @@ public enum Crowd {
                     new Restitution(),
                     new ContinuousImpacts());
 
-    /** What its bodies and its trough are of. */
+    /** The material of the bodies and of their trough. */
     public static final Material STONE = new Material(1, 0.6, 0.1);
 
-    /** From one body to the next as they begin, m: the largest have room to stand at any angle. */
+    /** The initial distance between bodies, m; the largest have room at any angle. */
     private static final double SPACING = 1.2;
 
-    /** Area of trough a body takes when it lies, gaps between bodies included, m². */
+    /** The area of the trough that a body at rest takes, gaps included, m². */
     private static final double AREA = 0.45;
 
-    /** Narrowest trough, m: two bodies side by side. */
+    /** The width of the narrowest trough, m: room for two bodies side by side. */
     private static final double NARROWEST = 2.6;
 
     private static final double WALL = 2;
 
-    /** Over the highest body as it begins, m. */
+    /** The height of the trough above the highest body at the start, m. */
     private static final double MARGIN = 10;
 
     private final double discs;
 
-    /** Of which so great a share is discs. */
+    /** A crowd with a share of discs. */
     Crowd(double discs) {
         this.discs = discs;
     }
 
-    /** So many of them over a trough about as wide as they then lie high. */
+    /** Bodies above a trough that is about as wide as their heap will be high. */
     public List<BodyDefinition> rain(int count, long seed) {
         double width = Math.max(NARROWEST, Math.sqrt(AREA * count));
         int columns = (int) (width / SPACING);
@@ -75,7 +75,7 @@ public enum Crowd {
         return bodies.stream().map(body -> body.material(STONE)).toList();
     }
 
-    /** So many in rows of so many columns about x = 0, the lowest row at a height in m. */
+    /** Bodies in rows about x = 0, with the lowest row at a height in m. */
     public List<BodyDefinition> rows(int count, int columns, double height, long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         List<BodyDefinition> bodies = new ArrayList<>();

@@ -3,12 +3,12 @@ package rigibo.lab.bench.scene;
 import rigibo.lab.engine.World;
 
 /**
- * What moves or strikes some of a scene's bodies before each step, the same way in every engine.
- * Records, so that equal scenes have equal fingerprints.
+ * Moves or strikes some of a scene's bodies before each step, in the same way in every engine.
+ * Drivers are records, so that equal scenes have equal fingerprints.
  */
 public sealed interface Driver permits Undriven, Drum, Tray, Belt, Striker {
 
-    /** Leaves all bodies alone. */
+    /** Does nothing. */
     Driver NONE = new Undriven();
 
     /**

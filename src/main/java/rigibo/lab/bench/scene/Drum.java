@@ -9,10 +9,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A square drum that turns about its middle: four kinematic walls, each a body of its own, for a
- * body of ours has one shape. Engines move what is driven along straight lines, so that before each
- * step every wall is given the velocity that leads from where it is to where it must be at the
- * step's end: nothing adds up, and the corners stay closed.
+ * A square drum that turns about its middle, made of four kinematic walls, each its own body.
+ * Engines move kinematic bodies along straight lines. So before each step every wall is given the
+ * velocity that leads to its true place at the end of the step; errors do not accumulate, and the
+ * corners stay closed.
  *
  * @param y of its middle, m; its x is 0
  * @param side from wall to wall inside, m
@@ -22,7 +22,9 @@ record Drum(double y, double side, double spin) implements Driver {
 
     static final int WALLS = 4;
 
-    /** Of a wall, m: many times what the fastest body goes in a step. */
+    /**
+     * The thickness of a wall, m: many times the distance that the fastest body moves in a step.
+     */
     private static final double THICKNESS = 1;
 
     /** Its walls at time 0. */
@@ -40,7 +42,7 @@ record Drum(double y, double side, double spin) implements Driver {
         return bodies;
     }
 
-    /** Has its walls, which are the world's first bodies, turn on in the next step. */
+    /** Turns its walls, which are the world's first bodies, in the next step. */
     @Override
     public void drive(World world, int made) {
         for (int i = 0; i < WALLS; i++) {
@@ -55,7 +57,7 @@ record Drum(double y, double side, double spin) implements Driver {
         return wall * Math.PI / 2 + spin * time;
     }
 
-    /** Of a wall's middle: that of the first is below the drum's. */
+    /** The x of a wall's middle; the first wall is at the bottom. */
     private double x(double angle) {
         return (side + THICKNESS) / 2 * Math.sin(angle);
     }

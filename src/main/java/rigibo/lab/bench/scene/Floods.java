@@ -6,10 +6,10 @@ import rigibo.backend.effect.Rotation;
 import rigibo.lab.Flood;
 
 /**
- * Discs that fall into a trough, timed from the first step on until they lie.
+ * Discs that fall into a trough, timed from the first step until they are at rest.
  *
- * <p>They call for gravity, contacts, restitution (0.5), continuous impacts, since they fall by up
- * to their own width in a step, and friction with the rotation that it causes.
+ * <p>They need gravity, contacts, restitution (0.5), friction and the rotation that it causes, and
+ * continuous impacts, since they fall by up to their own width in a step.
  */
 final class Floods {
 
@@ -18,28 +18,31 @@ final class Floods {
     private static final Effects EFFECTS =
             Flood.FRICTIONLESS.with(new Rotation()).with(new Friction());
 
-    /** Of the trough of the scene, m. */
+    /** The width of the scene's trough, m. */
     private static final double WIDTH = 40;
 
-    /** Discs above each other in a sweep over sizes, as they begin. */
+    /** The number of discs above each other at the start of the sweep's scenes. */
     private static final int DEPTH = 25;
 
-    /** Width of the column that a disc begins in, m, as {@link Flood} has it. */
+    /** The width of a disc's column at the start, m, as in {@link Flood}. */
     private static final double COLUMN = 0.65;
 
-    /** On top of a trough that so many columns just fit in, m: no rounding takes one away. */
+    /**
+     * Added to the width of a trough that its columns fill exactly, m, so that rounding cannot
+     * remove a column.
+     */
     private static final double SLACK = 0.01;
 
     private Floods() {}
 
-    /** So many discs, into the trough of 40 m. */
+    /** Discs in the trough of 40 m. */
     static Scene of(int discs) {
         return of(discs, WIDTH);
     }
 
     /**
-     * So many discs, into a trough as wide as makes them as deep as any other number of them. A
-     * deeper flood would cost more by the depth too, and its growth would say less of the engine.
+     * Discs in a trough whose width gives the same depth for any number of them. If the depth grew
+     * as well, the growth of the cost would say less about the engine.
      */
     static Scene asDeepAsAny(int discs) {
         int columns = (discs + DEPTH - 1) / DEPTH;

@@ -10,10 +10,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Boxes of 1 m that were thrown up and apart and never touch.
+ * Boxes of 1 m that are thrown up and apart and never touch.
  *
- * <p>They call for gravity and for contacts: that nothing meets is known afterwards only, and every
- * engine has to look. Nothing turns them, nothing rubs.
+ * <p>They need gravity, and contacts too, since every engine has to find out that nothing touches.
+ * Nothing turns them and nothing rubs.
  */
 final class Flyers {
 
@@ -21,20 +21,20 @@ final class Flyers {
 
     private static final Polygon BOX = Polygon.box(1, 1);
 
-    /** From one to the next as they begin, m: between them the fastest need more than two steps. */
+    /** The initial distance between boxes, m; the fastest take more than two steps for it. */
     private static final double SPACING = 2.5;
 
-    /** As much again to both sides after so many s. */
+    /** The time after which the crowd is twice as wide, s. */
     private static final double DOUBLING = 20;
 
-    /** m/s: back where it was thrown after 5 s. */
+    /** The upward speed, m/s; a box is back after 5 s. */
     private static final double THROW = 24.5;
 
     private static final int ROWS_PER_COLUMN = 2;
 
     private Flyers() {}
 
-    /** Twice as many beside each other as above. */
+    /** Makes boxes, twice as many side by side as above each other. */
     static Scene of(int bodies) {
         int columns = (int) Math.ceil(Math.sqrt(ROWS_PER_COLUMN * bodies));
         List<BodyDefinition> boxes = new ArrayList<>();

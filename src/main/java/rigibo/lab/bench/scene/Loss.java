@@ -3,18 +3,18 @@ package rigibo.lab.bench.scene;
 import rigibo.lab.engine.World;
 
 /**
- * A body that is taken out of a scene: what stood on it, asleep or not, has to answer at once.
+ * The removal of a body from a scene; the bodies on top of it, asleep or not, must respond at once.
  *
  * @param body number of it, or one that no body has
  * @param step made before it goes
  */
 public record Loss(int body, int step) {
 
-    /** Nothing is taken out. */
+    /** No removal. */
     public static final Loss NONE = new Loss(-1, 0);
 
     /**
-     * Takes the body out when it is time.
+     * Removes the body if the time has come.
      *
      * @param made steps made so far
      */

@@ -6,13 +6,13 @@ import java.util.Locale;
 import java.util.NoSuchElementException;
 import java.util.function.Supplier;
 
-/** Scenes in which much moves, each from its first step on. */
+/** Scenes in which much moves, timed from the first step. */
 public final class MovingScenes {
 
-    /** Bodies of a rain. */
+    /** The numbers of bodies of the rains. */
     static final List<Integer> SIZES = List.of(10, 20, 50, 100, 200, 400, 800, 1500);
 
-    /** Steps that each goes at most: 10 s. */
+    /** The most steps of a scene: 10 s. */
     public static final int STEPS = 600;
 
     private static final Pace PACE = new Pace(0, 0, STEPS);
@@ -76,7 +76,7 @@ public final class MovingScenes {
 
     private MovingScenes() {}
 
-    /** All of them. */
+    /** All moving scenes. */
     public static List<BenchScene> all() {
         List<BenchScene> scenes = new ArrayList<>();
         for (Crowd crowd : Crowd.values()) {

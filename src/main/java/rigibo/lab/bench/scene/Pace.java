@@ -11,7 +11,7 @@ package rigibo.lab.bench.scene;
 public record Pace(double rehearsal, int settling, int timed) {
 
     /**
-     * As told by {@link #words}.
+     * Parses the words of {@link #words}.
      *
      * @throws NumberFormatException when it is not
      */
@@ -23,12 +23,12 @@ public record Pace(double rehearsal, int settling, int timed) {
                 Integer.parseInt(number[2]));
     }
 
-    /** As told on a command line. */
+    /** The pace as an argument of a process. */
     public String words() {
         return rehearsal + "," + settling + "," + timed;
     }
 
-    /** The same with so many timed steps, and no more than that before them. */
+    /** A copy with another number of timed steps, and at most as many settling steps. */
     public Pace timing(int steps) {
         return new Pace(rehearsal, Math.min(settling, steps), steps);
     }

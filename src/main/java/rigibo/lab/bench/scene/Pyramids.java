@@ -15,13 +15,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Pyramids of boxes of 1 m that touch each other and a floor, above and beside each other. Box2D
- * 2.x and its translations keep polygons a centimetre or two apart and push what touches apart
- * first; no distance suits all engines, and in their own samples boxes begin like this.
+ * Pyramids of boxes of 1 m that touch each other and a floor. Box2D 2.x and its translations keep
+ * polygons a centimetre or two apart and first push touching boxes apart. No distance suits all
+ * engines, and the engines' own samples begin like this.
  *
- * <p>They call for gravity, contacts, the rotation and the friction without which a pyramid slides
- * apart. Nothing falls or bounces in them: neither restitution nor continuous impacts. Sleep is
- * called for only where waking is measured.
+ * <p>The pyramids need gravity, contacts, rotation and the friction without which they would slide
+ * apart. Nothing falls or bounces, so they need neither restitution nor continuous impacts. Sleep
+ * is declared only where waking is measured.
  */
 final class Pyramids {
 
@@ -30,25 +30,27 @@ final class Pyramids {
 
     private static final Material STONE = new Material(1, 0.6, 0);
 
-    /** Floor beside each pyramid, m. */
+    /** The width of the floor beside each pyramid, m. */
     private static final double MARGIN = 5;
 
-    /** Between two pyramids of a field, m: more than what is pushed apart needs. */
+    /**
+     * The distance between two pyramids of a field, m, more than boxes that are pushed apart need.
+     */
     private static final double GAP = 1;
 
-    /** From the tip of a pyramid of a field to the floor above it, m. */
+    /** The distance between the tip of a pyramid and the floor above it, m. */
     private static final double HEADROOM = 3;
 
     private Pyramids() {}
 
-    /** One, of so many boxes at its base. */
+    /** One pyramid with a number of boxes at its base. */
     static Scene one(int base) {
         return field(1, 1, base);
     }
 
     /**
-     * One that loses the middle box of its base after so many steps. What slept and what did not
-     * has to find the same new balance.
+     * One pyramid that loses the middle box of its base after a number of steps. Asleep or awake,
+     * it has to find the same new balance.
      */
     static Scene undermined(int base, int steps, Effects effects) {
         List<BodyDefinition> bodies = one(base).bodies();
@@ -56,17 +58,19 @@ final class Pyramids {
         return new Scene(effects, bodies, Driver.NONE, new Loss(firstBox + base / 2, steps));
     }
 
-    /** What a pyramid calls for, and sleep. */
+    /** The effects of a pyramid, and sleep. */
     static Effects withSleep() {
         return EFFECTS.with(new Sleep());
     }
 
-    /** What a pyramid calls for. */
+    /** The effects of a pyramid. */
     static Effects withoutSleep() {
         return EFFECTS;
     }
 
-    /** Storeys of a field one above the other, each a floor with pyramids side by side. */
+    /**
+     * A field of pyramids: storeys one above the other, each a floor with pyramids side by side.
+     */
     static Scene field(int storeys, int beside, int base) {
         List<BodyDefinition> bodies = new ArrayList<>();
         double width = beside * (base + GAP);

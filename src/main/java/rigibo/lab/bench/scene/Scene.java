@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * What every engine is given to step.
+ * A scene that every engine can simulate.
  *
  * @param effects what it calls for
  * @param bodies in the order they are added
@@ -21,7 +21,7 @@ import java.util.Objects;
 public record Scene(
         Effects effects, List<BodyDefinition> bodies, List<Link> links, Driver driver, Loss loss) {
 
-    /** s, of every scene and engine. */
+    /** The time step of all scenes and engines, s. */
     public static final double STEP = 1.0 / 60;
 
     public Scene {
@@ -34,7 +34,7 @@ public record Scene(
         this(effects, bodies, Driver.NONE);
     }
 
-    /** A scene that all bodies stay in. */
+    /** A scene from which no body is removed. */
     public Scene(Effects effects, List<BodyDefinition> bodies, Driver driver) {
         this(effects, bodies, driver, Loss.NONE);
     }
@@ -44,7 +44,7 @@ public record Scene(
         this(effects, bodies, List.of(), driver, loss);
     }
 
-    /** A scene of joined bodies in which nothing is driven but by motors. */
+    /** A scene of joined bodies that only motors drive. */
     public Scene(Effects effects, List<BodyDefinition> bodies, List<Link> links) {
         this(effects, bodies, links, Driver.NONE, Loss.NONE);
     }
@@ -55,14 +55,17 @@ public record Scene(
         links.forEach(world::join);
     }
 
-    /** Whether two of its bodies meet, as far as groups and joints say. */
+    /** Whether groups and joints let two of its bodies collide. */
     public boolean meet(int a, int b) {
         int group = bodies.get(a).group();
         return (group == 0 || group != bodies.get(b).group())
                 && links.stream().noneMatch(link -> link.isOf(a, b));
     }
 
-    /** The same for equal scenes, hardly ever for others: a level's file may change, or a flood. */
+    /**
+     * A hash of the scene. Equal scenes have equal fingerprints, so a changed level or flood is
+     * noticed.
+     */
     public int fingerprint() {
         int mark = Objects.hash(effects.toString(), driver, loss);
         for (BodyDefinition body : bodies) {
@@ -87,7 +90,7 @@ public record Scene(
                 body.spin());
     }
 
-    /** How many of its bodies are moved by forces and contacts: those that it is named for. */
+    /** The number of dynamic bodies. */
     public int dynamic() {
         return (int) bodies.stream().filter(body -> body.type() == BodyType.DYNAMIC).count();
     }

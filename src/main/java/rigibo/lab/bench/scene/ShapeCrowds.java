@@ -14,28 +14,31 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.IntFunction;
 
-/** Crowds of other shapes than boxes and discs, as large and as wild as a {@link Crowd}. */
+/** Crowds like a {@link Crowd}, but of other shapes than boxes and discs. */
 final class ShapeCrowds {
 
-    /** Half the width and half the height of a cave, m. */
+    /** Half the width and half the height of the cave, m. */
     private static final double CAVE_X = 40;
 
     private static final double CAVE_Y = 22;
 
-    /** How far its wall goes in and out, as a share of that, and how often all round. */
+    /**
+     * The waves of the cave's wall: their amplitude, as a share of those, and their number around
+     * the cave.
+     */
     private static final double ROUGHNESS = 0.02;
 
     private static final int BUMPS = 40;
 
     private ShapeCrowds() {}
 
-    /** So many compounds of two to five parts in turn, at any angle, that rain into a trough. */
+    /** Compounds of two to five parts that rain into a trough at any angle. */
     static Scene compounds(int count, long seed) {
         List<Shape> kinds = List.of(angle(), dumbbell(), fork(), cross());
         return rain(count, seed, i -> kinds.get(i % kinds.size()));
     }
 
-    /** So many capsules of 0.5 to 0.9 m by 0.2 to 0.4 m that rain into a trough. */
+    /** Capsules of 0.5 to 0.9 m by 0.2 to 0.4 m that rain into a trough. */
     static Scene capsules(int count, long seed) {
         SplittableRandom random = new SplittableRandom(seed + 1);
         return rain(
@@ -46,11 +49,11 @@ final class ShapeCrowds {
                                 0.15 + 0.1 * random.nextDouble(), 0.1 + 0.1 * random.nextDouble()));
     }
 
-    /** So many boxes and discs that fall onto the rough ground of a cave of so many edges. */
+    /** Boxes and discs that fall onto the rough ground of a cave. */
     static Scene cave(int count, int edges, long seed) {
         double[] xy = new double[2 * edges];
         for (int i = 0; i < edges; i++) {
-            // Clockwise, for the matter is outside.
+            // The corners run clockwise, since the matter is outside.
             double around = -2 * Math.PI * i / edges;
             double reach = 1 + ROUGHNESS * Math.sin(BUMPS * around);
             xy[2 * i] = reach * CAVE_X * Math.cos(around);
@@ -62,7 +65,7 @@ final class ShapeCrowds {
         return new Scene(Crowd.EFFECTS, bodies);
     }
 
-    /** A crowd of boxes in a trough, each of which is given another shape in its place. */
+    /** A crowd in a trough whose boxes are replaced by another shape. */
     private static Scene rain(int count, long seed, IntFunction<Shape> shapes) {
         List<BodyDefinition> bodies = new ArrayList<>(Crowd.BOXES.rain(count, seed));
         int walls = bodies.size() - count;

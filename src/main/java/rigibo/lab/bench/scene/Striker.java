@@ -3,7 +3,7 @@ package rigibo.lab.bench.scene;
 import rigibo.lab.engine.World;
 
 /**
- * Strikes a body to the right at regular times, by a force that lasts one step.
+ * Strikes a body to the right at regular intervals, with a force that lasts one step.
  *
  * @param body number of the body
  * @param impulse of a stroke, N·s

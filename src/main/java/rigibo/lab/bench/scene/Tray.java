@@ -9,9 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A closed box of four kinematic walls, the scene's first bodies, that is shaken to and fro: its
- * middle is at a·sin(2πft) to the right. Each wall is given the velocity that leads from where it
- * is to where it must be at the step's end.
+ * A closed box of four kinematic walls, the scene's first bodies, that is shaken from side to side:
+ * the x of its middle is a·sin(2πft). Before each step a wall is given the velocity that leads to
+ * its true place at the end of the step.
  *
  * @param width inside, m
  * @param height inside, m; its floor's top is at y = 0
@@ -20,7 +20,7 @@ import java.util.List;
  */
 record Tray(double width, double height, double amplitude, double hertz) implements Driver {
 
-    /** Of a wall, m: more than the box goes in a step. */
+    /** The thickness of a wall, m, more than the box moves in a step. */
     private static final double THICKNESS = 2;
 
     /** Its walls at time 0: floor, ceiling, left, right. */
@@ -44,7 +44,7 @@ record Tray(double width, double height, double amplitude, double hertz) impleme
         }
     }
 
-    /** Middle of the left wall while the box is in the middle, m. */
+    /** The x of the left wall's middle while the box is centred, m. */
     private double left() {
         return -(width + THICKNESS) / 2;
     }

@@ -14,11 +14,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Boxes of 0.25 m that fall about in a drum of 20 m, which turns by 25° a second.
+ * Boxes of 0.25 m that tumble in a drum of 20 m, which turns by 25° per second.
  *
- * <p>They call for gravity, contacts, rotation and friction; and for continuous impacts, since a
- * box that falls through half of the drum goes 0.23 m in a step, as far as it is wide. They do not
- * bounce.
+ * <p>They need gravity, contacts, rotation and friction, and continuous impacts, since a box that
+ * falls through half of the drum moves by its own width in a step. They do not bounce.
  */
 public final class Tumbler {
 
@@ -33,20 +32,20 @@ public final class Tumbler {
     private static final Material STONE = new Material(1, 0.6, 0);
     private static final Polygon BOX = Polygon.box(0.25, 0.25);
 
-    /** From one box to the next as they begin, m. */
+    /** The initial distance between boxes, m. */
     private static final double SPACING = 0.4;
 
-    /** Between the boxes as they begin and the walls, m. */
+    /** The initial distance between the boxes and the walls, m. */
     private static final double MARGIN = 1.2;
 
-    /** High enough that no wall is ever below 0, whatever way the drum stands. */
+    /** The height of the drum's middle, m, so that no wall is ever below y = 0. */
     private static final double HEIGHT_BY_SIDE = 0.8;
 
     private static final double SPIN = Math.toRadians(25);
 
     private Tumbler() {}
 
-    /** So many columns of as many boxes. */
+    /** A square of boxes with a number of columns. */
     public static Scene of(int columns) {
         double side = SPACING * (columns - 1) + 2 * MARGIN;
         Drum drum = new Drum(HEIGHT_BY_SIDE * side, side, SPIN);

@@ -7,6 +7,6 @@ record Undriven() implements Driver {
 
     @Override
     public void drive(World world, int made) {
-        // Everything goes by itself.
+        // Nothing is done.
     }
 }

@@ -1,5 +1,5 @@
 /**
- * The scenes of the bench, each stated once, in our own words for bodies and effects, for every
- * engine. They know no engine. SI units, y up.
+ * The scenes of the bench, each stated once for every engine, in our engine's definitions of bodies
+ * and effects. SI units, y up.
  */
 package rigibo.lab.bench.scene;

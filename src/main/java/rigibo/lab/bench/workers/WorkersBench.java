@@ -17,8 +17,8 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Lets pools with different numbers of workers make each step of a scene in turn, and times it by
- * the wall clock: what a player waits for.
+ * Runs each step of a scene in pools with different numbers of workers in turn and times it by the
+ * wall clock, which is what a player waits for.
  *
  * @param scenes in the order of the report
  * @param workers numbers of workers; the first is what the others are compared with
@@ -31,7 +31,7 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
     private static final OperatingSystemMXBean SYSTEM =
             (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
 
-    /** A pool and what lets its scene go on. */
+    /** A pool, and what its scene needs to continue. */
     private record Going(Pool pool, World world, Scene scene) {
 
         static Going of(BenchScene scene, int workers) {
@@ -45,7 +45,7 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
     }
 
     /**
-     * Times them all.
+     * Times all scenes.
      *
      * @param tell is told how far it is
      */
@@ -65,7 +65,7 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
         return new WorkersReport(courses, workers.get(0)).table();
     }
 
-    /** The pools take turns at being first, since the first finds the cache colder. */
+    /** The pools take turns at going first, since the first one finds a colder cache. */
     private void time(BenchScene scene, int run, List<WorkersCourse> courses) {
         Going[] going =
                 courses.stream()

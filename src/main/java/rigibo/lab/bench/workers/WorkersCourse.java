@@ -41,17 +41,17 @@ final class WorkersCourse {
         sharedSteps += run == 0 && report.splits() > 0 ? 1 : 0;
     }
 
-    /** Share of the steps in which work was split. */
+    /** The share of the steps whose work was shared by workers. */
     double shared() {
         return sharedSteps / (double) wall.length;
     }
 
-    /** What the player waits for, by the medians over the runs, ns. */
+    /** The wall-clock times of the steps, medians over the runs, ns. */
     StepTimes wall() {
         return medians(wall);
     }
 
-    /** Processor time of all threads of the process, likewise. */
+    /** The processor times of all threads, medians over the runs, ns. */
     StepTimes processor() {
         return medians(processor);
     }

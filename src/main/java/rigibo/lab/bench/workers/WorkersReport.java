@@ -8,7 +8,7 @@ import rigibo.lab.report.Table;
 import java.util.List;
 import java.util.Locale;
 
-/** Tells what workers bring. */
+/** Reports what more workers gain. */
 final class WorkersReport {
 
     private final List<WorkersCourse> courses;

@@ -1,2 +1,2 @@
-/** What further workers bring: the same steps by one and by several. */
+/** What more workers gain: the same steps made by one and by several. */
 package rigibo.lab.bench.workers;

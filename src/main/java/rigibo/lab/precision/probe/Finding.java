@@ -7,7 +7,7 @@ import rigibo.lab.problem.Errors;
 import java.util.Optional;
 
 /**
- * What came out when an engine was put to a problem.
+ * The result of an engine at a problem.
  *
  * @param errors how far from the truth it ended, or why it failed
  * @param steps made, of all worlds together
@@ -18,20 +18,20 @@ public record Finding(Errors errors, long steps, Work work, Optional<Timing> tim
 
     private static final String BEFORE_TIMING = "\ttimed\t";
 
-    /** What is told of every run, timed or not. */
+    /** The fields of every run, timed or not. */
     private record Untimed(Errors errors, long steps, Work work) {}
 
-    /** Whether it came to an end, be it a failure; what broke off has nothing to be timed. */
+    /** Whether the run came to an end, even a failed one; a run that broke off cannot be timed. */
     boolean hasRun() {
         return steps > 0;
     }
 
-    /** The same and what it took. */
+    /** A copy with its timing. */
     Finding with(Timing took) {
         return new Finding(errors, steps, work, Optional.of(took));
     }
 
-    /** All of it in one line, for a process to print and for a log. */
+    /** The finding as one line, for a process to print and for a log. */
     public String line() {
         String failure = errors.failure().replaceAll("\\s+", " ");
         Errors onOneLine = new Errors(errors.main(), errors.others(), failure);
@@ -40,7 +40,7 @@ public record Finding(Errors errors, long steps, Work work, Optional<Timing> tim
     }
 
     /**
-     * What a line says.
+     * Parses a line of {@link #line}.
      *
      * @throws IllegalArgumentException when it is cut short or not such a line
      */

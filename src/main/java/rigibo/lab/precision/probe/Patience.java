@@ -1,7 +1,7 @@
 package rigibo.lab.precision.probe;
 
 /**
- * How long a process takes for all of its settings together.
+ * The time that a process may spend on all its settings together.
  *
  * @param warmMillis at least, after errors were found and before anything is timed
  * @param timedMillis at least
@@ -13,10 +13,12 @@ public record Patience(double warmMillis, double timedMillis, int repeats, doubl
     /** Errors only. */
     public static final Patience NONE = new Patience(0, 0, 0, 0);
 
-    /** The steps of the run of minutes that finds the errors are timed: there is no other. */
+    /**
+     * Times the steps of the run that finds the errors, which takes minutes and is the only one.
+     */
     public static final Patience ONE_RUN = new Patience(0, 0, 1, 0);
 
-    /** As told on a command line. */
+    /** Its words on a command line. */
     public String words() {
         return warmMillis + "," + timedMillis + "," + repeats + "," + mostMillis;
     }

@@ -18,12 +18,12 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The process: puts an engine to a problem, finds the errors of one setting after the other and
- * then times all of them in turns.
+ * The main class of a process that runs an engine at a problem. It computes the errors of one
+ * setting after the other and then times all of them in turns.
  */
 public final class ProblemProbe {
 
-    /** What the lines begin with that hold a finding, in the order of the settings. */
+    /** The beginning of the lines that hold findings, in the order of the settings. */
     public static final String MARK = "finding ";
 
     private static final int FIRST_SETTING = 3;
@@ -39,7 +39,7 @@ public final class ProblemProbe {
     }
 
     /**
-     * Finds errors and times.
+     * Prints errors and times.
      *
      * @param arguments id of the problem, name of the engine, patience, and names of settings
      */
@@ -84,7 +84,7 @@ public final class ProblemProbe {
         } catch (UnsupportedOperationException missing) {
             return broken("has no " + missing.getMessage());
         } catch (RuntimeException | AssertionError broken) {
-            // What another engine throws is its result, and not the laboratory's end.
+            // An exception of another engine is its result and must not end the laboratory.
             return broken("broke off: " + broken);
         }
     }

@@ -15,15 +15,15 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Times a problem over and over, without what it takes to set it. Settings take turns in one
- * process, so that what the compiler made of the engine and what else the machine does fall on all
- * of them alike. Each in a process of its own, the same work differed by up to a factor of 2.8.
+ * Times a problem repeatedly, without its set-up. Settings take turns in one process, so that
+ * compiled code and disturbances of the machine affect all of them alike. When each ran in its own
+ * process, the same work differed by up to a factor of 2.8.
  */
 final class Stopwatch {
 
     /**
-     * Shortest turn, ms. What the turn before left in the caches then does not count, even where
-     * the whole problem takes 30 µs.
+     * The shortest turn, ms, long enough that the caches' state after the turn before does not
+     * matter, even if the whole problem takes 30 µs.
      */
     private static final double TURN_MILLIS = 5;
 
@@ -39,7 +39,7 @@ final class Stopwatch {
         this.engine = engine;
     }
 
-    /** What each of some settings takes, of one or more. */
+    /** The timing of each of one or more settings. */
     Map<Setting, Timing> time(List<Setting> settings) {
         long begun = System.nanoTime();
         while (millisSince(begun) < patience.warmMillis()) {
@@ -82,7 +82,7 @@ final class Stopwatch {
         return turns.stream().mapToDouble(of).toArray();
     }
 
-    /** Runs of the whole problem. */
+    /** The number of runs of the whole problem. */
     private StepTally turn(Setting setting) {
         StepTally turn = new StepTally();
         long begun = System.nanoTime();

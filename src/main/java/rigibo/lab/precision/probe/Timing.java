@@ -3,7 +3,7 @@ package rigibo.lab.precision.probe;
 import rigibo.lab.problem.StepTally;
 
 /**
- * What a step took, set-up and reading left out.
+ * The times of a step, without set-up and reading.
  *
  * @param repeats that were timed, after warming up: turns, each of the whole problem, once or more
  * @param cpu median over the repeats, µs of the thread's own processor time a step
@@ -15,7 +15,7 @@ import rigibo.lab.problem.StepTally;
 public record Timing(
         int repeats, double cpu, double cpuLow, double cpuHigh, double wall, double bytes) {
 
-    /** Of a run that was timed but once. */
+    /** The timing of a run that was timed only once. */
     static Timing of(StepTally tally) {
         double cpu = tally.cpuMicros();
         return new Timing(1, cpu, cpu, cpu, tally.wallMicros(), tally.bytesPerStep());

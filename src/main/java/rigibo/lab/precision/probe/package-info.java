@@ -1,2 +1,2 @@
-/** What runs in a process of its own and puts an engine to a problem. */
+/** The code of the processes that run an engine at a problem. */
 package rigibo.lab.precision.probe;
