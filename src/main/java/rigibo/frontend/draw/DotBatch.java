@@ -1,6 +1,5 @@
 package rigibo.frontend.draw;
 
-import rigibo.backend.geometry.Circle;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Layout;
 
@@ -38,8 +37,8 @@ final class DotBatch {
 
     /** Rivets in the corners of a plate, or one in the middle of a disc. */
     void rivets(Figure figure, OnScreen at) {
-        if (figure.shape instanceof Circle circle) {
-            rivet(at, 0, 0, RIVET_IN_DISC * circle.radius());
+        if (figure.isDisc) {
+            rivet(at, 0, 0, RIVET_IN_DISC * figure.halfWidth);
             return;
         }
         double dx = figure.halfWidth - RIVET_INSET;

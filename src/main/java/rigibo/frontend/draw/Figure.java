@@ -1,10 +1,8 @@
 package rigibo.frontend.draw;
 
 import rigibo.backend.geometry.Aabb;
-import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Convex;
 import rigibo.backend.geometry.Polygon;
-import rigibo.backend.geometry.Shape;
 
 import java.util.Map;
 import java.util.WeakHashMap;
@@ -12,11 +10,13 @@ import java.util.WeakHashMap;
 /** A shape for drawing: a disc, a box or another polygon, and its bounding radius, m. */
 final class Figure {
 
-    /** Polygons with many corners for rounded shapes; each is made once. */
+    /** The outlines of shapes that are neither discs nor sharp polygons; each is made once. */
     private final Map<Convex, Polygon> polygons = new WeakHashMap<>();
 
     private final Aabb bounds = new Aabb();
-    Shape shape;
+
+    /** The outline of any shape but a disc. */
+    Polygon polygon;
 
     /** Distance from the centre to the farther side. */
     double halfWidth;
@@ -26,14 +26,20 @@ final class Figure {
     boolean isBox;
 
     void of(Convex of) {
-        boolean isRounded = of.outline().radius() > 0 && !of.outline().isDisc();
-        Convex drawn = isRounded ? polygons.computeIfAbsent(of, RoundCorners::of) : of;
-        shape = drawn;
+        isDisc = of.outline().isDisc();
+        if (!isDisc) {
+            polygon = polygon(of);
+        }
+        Convex drawn = isDisc ? of : polygon;
         drawn.bounds(0, 0, 1, 0, bounds);
         halfWidth = Math.max(bounds.maxX, -bounds.minX);
         halfHeight = Math.max(bounds.maxY, -bounds.minY);
-        isDisc = drawn instanceof Circle;
-        isBox = drawn instanceof Polygon polygon && isBox(polygon);
+        isBox = !isDisc && isBox(polygon);
+    }
+
+    private Polygon polygon(Convex of) {
+        boolean isSharp = of instanceof Polygon && of.outline().radius() == 0;
+        return isSharp ? (Polygon) of : polygons.computeIfAbsent(of, RoundCorners::of);
     }
 
     /** Half the smaller side of the bounding rectangle, m. */

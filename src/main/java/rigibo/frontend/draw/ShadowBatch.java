@@ -48,7 +48,7 @@ final class ShadowBatch {
         } else if (figure.isBox) {
             square(figure.halfWidth, figure.halfHeight, figure.halfHeight * at.scale());
         } else {
-            fan((Polygon) figure.shape);
+            fan(figure.polygon);
         }
         at.shift(-fallX, -fallY);
     }

@@ -72,7 +72,7 @@ final class SkinBatch {
             double halfHeight = figure.halfHeight;
             square(halfWidth, halfHeight, halfWidth * scale, halfHeight * scale);
         } else {
-            fan((Polygon) figure.shape);
+            fan(figure.polygon);
         }
     }
 
