@@ -34,7 +34,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Draws a set of effects: each of the sixteen where what it needs is there. */
+/** Draws a set of effects; an effect is drawn only if those that it needs are there. */
 final class DrawnEffects {
 
     private final Chance chance;
