@@ -10,15 +10,18 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 
 /**
- * Tries things in turn until one goes wrong or all are tried. What takes too long cannot be
- * stopped, only told, so that trying has a thread of its own that does not keep the process alive.
+ * Tries things in turn until one fails or all are tried. A try that takes too long can only be
+ * reported, not stopped, so the tries run on a daemon thread.
  */
 final class Campaign {
 
-    /** s of the processor's time that one step or file may take, far more than the longest does. */
+    /** The processor time that one step or file may take, s, far more than the longest needs. */
     private static final double PATIENCE = 20;
 
-    /** B, as a main thread's usually is: what hostile nesting may use up. */
+    /**
+     * The size of the stack in B, that of a usual main thread, which deeply nested input may
+     * exhaust.
+     */
     private static final long STACK = 8 << 20;
 
     private static final long LOOK_MILLIS = 200;
@@ -29,7 +32,7 @@ final class Campaign {
     private final Consumer<String> progress;
     private final List<String> wrong = new CopyOnWriteArrayList<>();
 
-    /** How to try again what is being tried. */
+    /** The command that repeats the present try. */
     private volatile String present = "";
 
     Campaign(Order order, Tally tally, Watch watch, Consumer<String> progress) {
@@ -39,7 +42,7 @@ final class Campaign {
         this.progress = progress;
     }
 
-    /** Tries it all: what went wrong, and how to see each again. */
+    /** Makes all tries; returns what failed and how to repeat each. */
     List<String> run(List<Subject> subjects) throws InterruptedException {
         Thread trying = new Thread(null, () -> tryAll(subjects), "fuzz", STACK);
         trying.setDaemon(true);

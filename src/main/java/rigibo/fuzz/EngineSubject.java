@@ -10,7 +10,7 @@ import rigibo.fuzz.program.Programs;
 
 import java.util.Optional;
 
-/** The engine, given programs. */
+/** Tries programs in the engine. */
 final class EngineSubject implements Subject {
 
     private final Judge judge;

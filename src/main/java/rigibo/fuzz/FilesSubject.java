@@ -11,7 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** The game, given files. */
+/** Tries files in the game. */
 final class FilesSubject implements Subject {
 
     private final Tally tally;

@@ -8,15 +8,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** Random programs and mutated files, as many as are asked for. */
+/** Tries random programs and mutated files. */
 public final class Fuzz {
 
-    /** What is tried. */
+    /** The part of the project that is tried. */
     public enum Only {
         ENGINE,
         FILES,
         BOTH,
-        /** One pool for as long as it goes. */
+        /** One pool for as long as it lasts. */
         SOAK
     }
 
@@ -36,13 +36,13 @@ public final class Fuzz {
         this.wrong = wrong;
     }
 
-    /** What was asked up to now. */
+    /** The counts of what was tried so far. */
     public Tally tally() {
         return tally;
     }
 
     /**
-     * Tries what is ordered.
+     * Tries what an order asks for.
      *
      * @param progress is told now and then how far it is
      * @return what went wrong, and how to see it again; nothing where nothing did

@@ -3,7 +3,7 @@ package rigibo.fuzz;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What is to be tried.
+ * What to try, and for how long.
  *
  * @param seed of everything: the same seed tries the same
  * @param first index of those of the seed that is tried
@@ -16,19 +16,19 @@ public record Order(long seed, long first, long programs, long files, long failu
 
     private static final double SECONDS_PER_MINUTE = 60;
 
-    /** For so many minutes, until something goes wrong. */
+    /** An order for a number of minutes that ends at the first failure. */
     public static Order minutes(double minutes, long seed, long first) {
         long span = (long) (minutes * SECONDS_PER_MINUTE * TimeUnit.SECONDS.toNanos(1));
         return new Order(seed, first, Long.MAX_VALUE, Long.MAX_VALUE, 1, System.nanoTime() + span);
     }
 
-    /** A number of each, until something goes wrong. */
+    /** An order for a number of programs and files that ends at the first failure. */
     public static Order counted(long programs, long files, long seed, long first) {
         long never = System.nanoTime() + Long.MAX_VALUE;
         return new Order(seed, first, programs, files, 1, never);
     }
 
-    /** This order, but it ends only after so many failures. */
+    /** A copy that ends after a number of failures. */
     public Order failures(long most) {
         return new Order(seed, first, programs, files, most, end);
     }

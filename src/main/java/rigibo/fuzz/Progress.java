@@ -4,7 +4,7 @@ import rigibo.fuzz.judge.Tally;
 
 import java.util.function.Consumer;
 
-/** Tells now and then how far it is. */
+/** Reports progress from time to time. */
 final class Progress {
 
     private static final long EVERY_NANOS = 10_000_000_000L;

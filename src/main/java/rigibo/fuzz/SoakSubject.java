@@ -30,8 +30,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * One pool for hours: bodies come, pile up and go. After each lap it is emptied, and has to be what
- * it was after the first ones: a snapshot no longer, a heap no larger, no pair left.
+ * Runs one pool for hours, in which bodies come, pile up and go. After each lap the pool is emptied
+ * and must be as after the first laps: its snapshot is no longer, the heap no larger, and no pair
+ * is left.
  */
 final class SoakSubject implements Subject {
 
@@ -46,10 +47,10 @@ final class SoakSubject implements Subject {
     /** Half the width of the tray, m. */
     private static final double HALF = 5;
 
-    /** Laps in which columns, caches and compiled code grow to their size. */
+    /** The first laps, in which columns, caches and compiled code grow to their final size. */
     private static final int WARM_UP = 20;
 
-    /** B that the heap may vary by: what the JVM compiles and profiles meanwhile. */
+    /** The variation of the heap that is allowed, B, for what the JVM compiles and profiles. */
     private static final long MOST_GROWTH = 4 << 20;
 
     private final Tally tally;
@@ -168,7 +169,7 @@ final class SoakSubject implements Subject {
                 : Optional.empty();
     }
 
-    /** What is in use when everything that can go is gone, B. */
+    /** The used heap after a garbage collection, B. */
     private static long heap() {
         System.gc();
         Runtime runtime = Runtime.getRuntime();

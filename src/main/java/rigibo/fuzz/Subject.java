@@ -2,17 +2,17 @@ package rigibo.fuzz;
 
 import java.util.Optional;
 
-/** What is tried with one random thing after another. */
+/** Something that is tried with one random input after another. */
 interface Subject {
 
-    /** What it is called on the command line. */
+    /** The name on the command line. */
     String title();
 
-    /** The options by which the command tries the thing again. */
+    /** The options of the command that repeat a try. */
     default String again(long seed, long index) {
         return "--only " + title() + " --seed " + seed + " --first " + index;
     }
 
-    /** Tries the thing with an index among those of a seed: all about what went wrong, if any. */
+    /** Tries the input with an index among those of a seed; returns a report if it fails. */
     Optional<String> tried(long seed, long index);
 }

@@ -1,5 +1,5 @@
 /**
- * Random programs for the engine and mutated files for the game, for as long as is asked; names the
- * first that goes wrong. Knows the engine's public face and the game's readers, no window.
+ * Tries random programs in the engine and mutated files in the game, and names the first that
+ * fails. This room knows the engine's public face and the game's readers, but no window.
  */
 package rigibo.fuzz;

@@ -5,13 +5,16 @@ import rigibo.backend.geometry.Logarithm;
 
 import java.util.List;
 
-/** Draws from a seed: the same calls give the same draws in every JVM and browser. */
+/** Random draws from a seed. The same calls give the same draws in every JVM and browser. */
 public final class Chance {
 
-    /** Spreads neighbouring seeds, whose first draws are alike: 2⁶⁴ over the golden ratio. */
+    /**
+     * A factor that spreads neighbouring seeds, whose first draws would be alike: 2⁶⁴ over the
+     * golden ratio.
+     */
     private static final long SPREAD = 0x9E3779B97F4A7C15L;
 
-    /** What no door may take for an ordinary number. */
+    /** Numbers that the engine must refuse. */
     private static final List<Double> NOT_FINITE =
             List.of(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
 
@@ -21,29 +24,29 @@ public final class Chance {
         random = new Draws(seed);
     }
 
-    /** The draws of one of the many things that a seed stands for. */
+    /** The draws for the input with an index among those of a seed. */
     public static Chance of(long seed, long index) {
         long mixed = (seed * SPREAD ^ index) * SPREAD;
         return new Chance(mixed ^ mixed >>> Integer.SIZE);
     }
 
-    /** Evenly between two numbers. */
+    /** A number uniform between two others. */
     public double between(double least, double most) {
         return least + (most - least) * random.nextDouble();
     }
 
-    /** Between two positive numbers, every factor as likely as any other. */
+    /** A number between two positive ones, uniform in the logarithm. */
     public double ofAnySize(double least, double most) {
         double drawn = Exponential.exp(between(Logarithm.log(least), Logarithm.log(most)));
         return Math.min(Math.max(drawn, least), most);
     }
 
-    /** As {@link #ofAnySize}, then negated with a probability of one half. */
+    /** A number like that of {@link #ofAnySize}, negated with probability one half. */
     public double ofEitherSign(double least, double most) {
         return random.nextBoolean() ? ofAnySize(least, most) : -ofAnySize(least, most);
     }
 
-    /** A whole number from least to most. */
+    /** An integer between two others. */
     public int whole(int least, int most) {
         return least + random.nextInt(most - least + 1);
     }
@@ -53,17 +56,17 @@ public final class Chance {
         return random.nextLong();
     }
 
-    /** Whether something of this probability happens. */
+    /** Returns true with a probability. */
     public boolean happens(double probability) {
         return random.nextDouble() < probability;
     }
 
-    /** One of several, each as likely. */
+    /** One of several, all equally likely. */
     public <T> T oneOf(List<T> choices) {
         return choices.get(random.nextInt(choices.size()));
     }
 
-    /** One of several, each as likely. */
+    /** One of several, all equally likely. */
     @SafeVarargs
     public final <T> T oneOf(T... choices) {
         return choices[random.nextInt(choices.length)];

@@ -23,7 +23,7 @@ final class Draws {
         return (int) (state >>> STATE_BITS - bits);
     }
 
-    /** Evenly from 0 to 1, which is excluded. */
+    /** A number uniform in [0, 1). */
     double nextDouble() {
         return (((long) next(26) << 27) + next(27)) * 0x1p-53;
     }
@@ -36,7 +36,7 @@ final class Draws {
         return ((long) next(32) << 32) + next(32);
     }
 
-    /** Evenly from 0 to a bound, which is excluded. */
+    /** An integer uniform from 0 to a bound, which is excluded. */
     int nextInt(int bound) {
         if ((bound & -bound) == bound) {
             return (int) (bound * (long) next(31) >> 31);
@@ -46,7 +46,8 @@ final class Draws {
         do {
             bits = next(31);
             drawn = bits % bound;
-            // A last, incomplete round of the bound would favour small numbers.
+            // Numbers of the last, incomplete multiple of the bound are redrawn, since they would
+            // favour small results.
         } while (bits - drawn + (bound - 1) < 0);
         return drawn;
     }

@@ -1,2 +1,2 @@
-/** Chance that a seed repeats, and the numbers worth trying. Knows nothing of the project. */
+/** Repeatable random draws, and numbers worth trying. This room knows nothing of the project. */
 package rigibo.fuzz.chance;

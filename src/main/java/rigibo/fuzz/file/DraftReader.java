@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** A level that the editor opens, finished or not. */
+/** Reads a level, finished or not, as the editor does. */
 final class DraftReader implements Reader {
 
     @Override

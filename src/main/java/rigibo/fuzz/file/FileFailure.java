@@ -1,7 +1,7 @@
 package rigibo.fuzz.file;
 
 /**
- * A file that the game does not bear.
+ * A file that breaks the game.
  *
  * @param kind of the file
  * @param file what it is called, and what is in it

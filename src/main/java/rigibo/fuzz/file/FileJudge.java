@@ -18,21 +18,21 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Has the game read mutated files, and judges what it makes of them: no exception escapes, a
- * refusal is a sentence, memory is bounded, and nothing of the player's is lost.
+ * Lets the game read mutated files and checks that no exception escapes, a refusal is a sentence,
+ * memory is bounded, and no data of the player is lost.
  */
 public final class FileJudge {
 
-    /** B over what a whole file takes. */
+    /** The memory in B that may be used beyond that for an unchanged file. */
     private static final long MOST_ALLOCATED = 64 << 20;
 
-    /** Share of the files that are not mutated: those have to be read still. */
+    /** The share of files that are not mutated, which must still be readable. */
     private static final double WHOLE = 0.05;
 
-    /** Shortest sentence. */
+    /** The length of the shortest sentence. */
     private static final int LEAST_WORDS = 10;
 
-    /** A file, as it is to be read. */
+    /** A file to read. */
     private record Case(Reader reader, Sample sample, boolean isWhole) {}
 
     private record Kind(Reader reader, List<Sample> samples, long allocated) {}
@@ -41,7 +41,7 @@ public final class FileJudge {
     private final List<Kind> kinds = new ArrayList<>();
     private boolean isRefused;
 
-    /** A judge of everything the game reads. */
+    /** A judge of all kinds of files that the game reads. */
     public FileJudge() {
         List<Reader> readers =
                 List.of(
@@ -56,7 +56,7 @@ public final class FileJudge {
 
     private Kind kind(Reader reader) {
         List<Sample> samples = inFolder(reader::samples);
-        // The first time classes are loaded, and schemas read.
+        // The first reading loads classes and schemas, and does not count.
         taken(new Case(reader, samples.get(0), true));
         return new Kind(reader, samples, taken(new Case(reader, samples.get(0), true)));
     }
@@ -70,7 +70,7 @@ public final class FileJudge {
         return allocated() - before;
     }
 
-    /** Tries the file with an index among those of a seed: what went wrong, if anything. */
+    /** Tries the file with an index among those of a seed; returns the failure, if any. */
     public Optional<FileFailure> judge(long seed, long index) {
         Chance chance = Chance.of(seed, ~index);
         Kind kind = chance.oneOf(kinds);
@@ -147,7 +147,7 @@ public final class FileJudge {
         T make(Path folder) throws IOException;
     }
 
-    /** Does something in a folder of its own, which is gone afterwards. */
+    /** Runs an action in a temporary folder. */
     private static <T> T inFolder(InFolder<T> work) {
         try {
             Path folder = Files.createTempDirectory("rigibo-fuzz");

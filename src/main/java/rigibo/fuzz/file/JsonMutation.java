@@ -11,15 +11,18 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Mutates a document where it is still JSON, or nearly. */
+/** Mutates a document so that it stays JSON, or almost. */
 final class JsonMutation {
 
-    /** Stands in the document for what no tree can hold, until it is a text. */
+    /**
+     * A placeholder in the tree for text that no tree can hold; it is replaced when the tree is
+     * written.
+     */
     private static final String MARK = "@@here@@";
 
     private static final JsonMapper JSON = JsonMapper.builder().build();
 
-    /** A value and where it is. */
+    /** A value and its place. */
     private record Spot(JsonNode parent, String key, int index) {
 
         JsonNode value() {
@@ -43,7 +46,7 @@ final class JsonMutation {
         this.chance = chance;
     }
 
-    /** Other bytes in place of those of a whole document. */
+    /** The mutated bytes of a document. */
     byte[] of(byte[] whole) {
         JsonNode root = JSON.readTree(whole);
         collect(root);
@@ -91,7 +94,7 @@ final class JsonMutation {
         return root.toString();
     }
 
-    /** Under another key: of other case, escaped, endless, empty. */
+    /** Renames a key: another case, escapes, endless, empty. */
     private String renamed(JsonNode root, Spot spot) {
         if (!(spot.parent() instanceof ObjectNode object)) {
             return removed(root, spot);
@@ -101,7 +104,7 @@ final class JsonMutation {
         return marked(root, new Junk(chance).key(spot.key()));
     }
 
-    /** Writes a key twice in its object, or an element twice in its list; values may differ. */
+    /** Duplicates a key of an object, possibly with another value, or an element of a list. */
     private String doubled(JsonNode root, Spot spot) {
         String value = spot.value().toString();
         String other = chance.happens(0.5) ? value : new Junk(chance).value();
@@ -109,7 +112,7 @@ final class JsonMutation {
         return replaced(root, spot, value + "," + key + other);
     }
 
-    /** A list with its elements over and over. */
+    /** Repeats the elements of a list many times. */
     private String multiplied(JsonNode root) {
         List<Spot> lists =
                 spots.stream()
@@ -126,7 +129,7 @@ final class JsonMutation {
         return replaced(root, spot, "[" + (some + ",").repeat(times) + some + "]");
     }
 
-    /** Another value of the same document. */
+    /** Replaces a value by another value of the document. */
     private String swapped(JsonNode root, Spot spot) {
         return replaced(root, spot, chance.oneOf(spots).value().toString());
     }

@@ -5,10 +5,10 @@ import rigibo.fuzz.chance.Chance;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** Values and keys that no writer of ours writes. */
+/** Values and keys that our writers never produce. */
 record Junk(Chance chance) {
 
-    /** Of a long text, list or number. */
+    /** The length of a long text, list or number. */
     static final int MOST_CHARACTERS = 400_000;
 
     private static final int DEEPEST = 20_000;
@@ -72,7 +72,7 @@ record Junk(Chance chance) {
                 : "{\"a\":".repeat(depth) + "1" + "}".repeat(depth);
     }
 
-    /** Not JSON at all. */
+    /** Text that is no JSON. */
     private String broken() {
         return chance.oneOf(
                 "NaN",
@@ -98,7 +98,7 @@ record Junk(Chance chance) {
         return (int) chance.ofAnySize(1, (double) MOST_CHARACTERS / charactersEach);
     }
 
-    /** A key, in its quotation marks. */
+    /** A key in quotation marks. */
     String key(String usual) {
         String escaped =
                 usual.chars()

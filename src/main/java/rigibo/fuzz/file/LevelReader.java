@@ -14,12 +14,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A level, which is played for a moment where it is sound. */
+/** Reads a level and plays it for a moment if it is valid. */
 final class LevelReader implements Reader {
 
     private static final int STEPS = 5;
 
-    /** Bodies of a level that may be stepped here; time is the readers'. */
+    /** The most bodies of a level that is stepped here, since the tries are about reading. */
     private static final int MOST_BODIES = 200;
 
     private final LevelLoader loader = new LevelLoader();

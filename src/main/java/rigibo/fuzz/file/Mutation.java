@@ -6,7 +6,7 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** What becomes of a file on a bad disk, in a wrong program, or in a hostile hand. */
+/** Mutations that a bad disk, a wrong program or an attacker might cause. */
 final class Mutation {
 
     private static final byte[] BYTE_ORDER_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
@@ -17,7 +17,7 @@ final class Mutation {
         this.chance = chance;
     }
 
-    /** Other bytes in place of those of a whole file. */
+    /** The mutated bytes of a file. */
     byte[] of(byte[] whole) {
         return switch (chance.whole(0, 9)) {
             case 0 -> flipped(whole.clone());
@@ -39,7 +39,7 @@ final class Mutation {
         return bytes;
     }
 
-    /** A part of it twice in a row, or the whole. */
+    /** Repeats a part of it, or the whole. */
     private byte[] repeated(byte[] whole) {
         int from = chance.happens(0.3) ? 0 : chance.whole(0, whole.length - 1);
         int to = chance.happens(0.3) ? whole.length : chance.whole(from, whole.length);
@@ -48,7 +48,7 @@ final class Mutation {
                 Arrays.copyOfRange(whole, to, whole.length));
     }
 
-    /** As other programs write texts, or as none does. */
+    /** Changes the encoding to one of other programs, or to an invalid one. */
     private byte[] encoded(byte[] whole) {
         String text = new String(whole, StandardCharsets.UTF_8);
         return switch (chance.whole(0, 7)) {
@@ -71,7 +71,7 @@ final class Mutation {
         return bytes;
     }
 
-    /** A byte sequence that UTF-8 does not have: cut short, overlong, a surrogate, out of range. */
+    /** An invalid UTF-8 sequence: truncated, overlong, a surrogate, or out of range. */
     private byte[] withInvalid(byte[] whole) {
         byte[] invalid =
                 chance.oneOf(

@@ -10,7 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
-/** Settings or progress, which are read at the start: whatever is in them, the game begins. */
+/** Reads settings or progress as at the start: the game must start whatever they contain. */
 record PlayerReader(String title) implements Reader {
 
     @Override

@@ -4,13 +4,13 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 
-/** Something the game reads. */
+/** A kind of file that the game reads. */
 interface Reader {
 
-    /** The kind of file, in a word. */
+    /** The name of the kind. */
     String title();
 
-    /** Whole files of the kind, as the game writes them, made in an empty folder. */
+    /** Makes valid files of the kind in an empty folder, as the game writes them. */
     List<Sample> samples(Path folder) throws IOException;
 
     /**

@@ -17,12 +17,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A replay, which is watched for a moment where it is sound. */
+/** Reads a replay and watches it for a moment if it is valid. */
 final class ReplayReader implements Reader {
 
     private static final int STEPS = 5;
 
-    /** More than any stored solution takes. */
+    /** A time longer than any stored solution takes. */
     private static final int MOST_STEPS = 6000;
 
     private final Replays replays = Replays.ofGame();

@@ -1,7 +1,7 @@
 package rigibo.fuzz.file;
 
 /**
- * A whole file.
+ * A valid file.
  *
  * @param name what the game calls it
  * @param bytes what is in it

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** A draft that was left without being saved, which the editor offers when it opens. */
+/** Reads an unsaved draft, which the editor offers when it opens. */
 final class UnsavedReader implements Reader {
 
     @Override

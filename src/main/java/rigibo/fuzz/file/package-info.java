@@ -1,5 +1,5 @@
 /**
- * Files that the game reads, made by its own writers and then mutated: bytes, encodings, JSON. They
- * are read as the game reads them, without a window. Knows the game's readers and writers.
+ * Files made by the game's writers and then mutated: bytes, encodings, JSON. They are read as the
+ * game reads them, without a window. This room knows the game's readers and writers.
  */
 package rigibo.fuzz.file;

@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Holds answers against a search through all discs and plain polygons; what round-off decides is
- * left open.
+ * Compares answers with a search through all discs and sharp polygons, except where round-off
+ * decides.
  */
 final class Answers {
 

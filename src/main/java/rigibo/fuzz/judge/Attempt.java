@@ -11,20 +11,20 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.lang.management.ManagementFactory;
 
-/** Does operations, and tells refusals from defects. */
+/** Runs operations and distinguishes refusals from defects. */
 public final class Attempt {
 
-    /** B that one call may allocate: some thousand times what these pools take. */
+    /** The most that one call may allocate, B: some thousand times what these pools need. */
     private static final long MOST_ALLOCATED = 256 << 20;
 
-    /** Shortest sentence that says which field, which value and which range. */
+    /** The length of the shortest sentence that names a field, a value and a range. */
     private static final int LEAST_WORDS = 15;
 
     private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     Attempt() {}
 
-    /** Does an operation: the words with which it was refused, empty where it was done. */
+    /** Runs an operation; returns the words of its refusal, empty if it was done. */
     String make(Operation operation, Stage stage) {
         long before = allocated();
         try {

@@ -13,18 +13,19 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Of any two bodies the steps tell BEGIN, PERSIST in every further step, END, and so on, whatever
- * is done in between. Bodies are told apart by their names, which a restored pool keeps.
+ * Checks that the steps report BEGIN, then PERSIST in every further step, then END for any two
+ * bodies, whatever is done in between. Bodies are identified by their names, which a restored pool
+ * keeps.
  */
 final class ContactStream {
 
     private static final String LAW = "contacts begin, persist and end";
     private static final String FORM = "contact events are well formed";
 
-    /** Of a unit vector's square. */
+    /** The tolerance of a unit vector's square. */
     private static final double ROUND_OFF = 1e-9;
 
-    /** Who touched in the step before. */
+    /** The pairs that touched in the step before. */
     private Set<String> touching = new HashSet<>();
 
     void after(Pool pool) {
@@ -44,7 +45,10 @@ final class ContactStream {
         touching = now;
     }
 
-    /** It has no handle on who was removed before, and cannot tell of an end. */
+    /**
+     * A restored pool has no handle on bodies that were removed before, so it cannot report the end
+     * of their contacts.
+     */
     void restored(Pool pool) {
         Set<String> names = pool.bodies().stream().map(RigidBody::name).collect(Collectors.toSet());
         touching.removeIf(
@@ -75,9 +79,7 @@ final class ContactStream {
         }
     }
 
-    /**
-     * Whether no other pair of parts of the two may touch still, nor an outline they had before.
-     */
+    /** Whether no other parts of the two bodies, and no former outlines, can still touch. */
     private static boolean areWhole(ContactEvent event) {
         return event.a().shape().parts() + event.b().shape().parts() == 2
                 && event.partA() + event.partB() == 0;

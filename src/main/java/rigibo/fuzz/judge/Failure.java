@@ -1,7 +1,7 @@
 package rigibo.fuzz.judge;
 
 /**
- * What a program broke.
+ * A law that a program broke.
  *
  * @param law which law
  * @param operation after how many operations, counted from 0

@@ -12,29 +12,29 @@ import rigibo.fuzz.program.Witness;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** Runs programs, and says which law they break. */
+/** Runs programs and reports which law they break. */
 public final class Judge {
 
-    /** For how many operations a restored copy goes on beside the pool. */
+    /** The number of operations for which a restored copy runs beside the pool. */
     private static final int COPY_LASTS = 8;
 
     private final Tally tally;
     private final Watch watch;
     private final Attempt attempt = new Attempt();
 
-    /** The number of the operation that is being done. */
+    /** The index of the present operation. */
     private int at;
 
     private Stage copy;
     private int copyLeft;
 
-    /** A judge that counts what it asks, and tells a watch what it does. */
+    /** A judge with a tally of its checks and a watch for operations that hang. */
     public Judge(Tally tally, Watch watch) {
         this.tally = tally;
         this.watch = watch;
     }
 
-    /** What a program breaks; nothing where all laws hold. */
+    /** The law that a program breaks; empty if all hold. */
     public Optional<Failure> judge(Program program) {
         tally.count(Tally.Of.PROGRAMS);
         copy = null;
@@ -81,7 +81,7 @@ public final class Judge {
         goOnBeside(operation, stage, refusal);
     }
 
-    /** A removed body's verbs are refused, whatever else is wrong with them. */
+    /** The verbs of a removed body are refused, whatever else is wrong with the call. */
     private static void requireOutcome(Operation operation, String refusal, boolean ofTheRemoved) {
         boolean mustRefuse = ofTheRemoved || operation.kind() == Kind.REFUSED;
         boolean mayRefuse = mustRefuse || operation.kind() == Kind.TRIED;
@@ -101,7 +101,7 @@ public final class Judge {
                 refusal);
     }
 
-    /** Lets the restored copy, where there is one, do the same. */
+    /** Runs the operation in the restored copy too, if there is one. */
     private void goOnBeside(Operation operation, Stage stage, String refusal) {
         if (operation.kind() == Kind.COPIED) {
             copy = stage.copy();
@@ -138,7 +138,9 @@ public final class Judge {
                 "its snapshot is another");
     }
 
-    /** Once more, asking nothing: neither another run nor what is asked may change a bit. */
+    /**
+     * Runs the program again without checks: neither another run nor the checks may change a bit.
+     */
     private void again(Program program, long[] hashes) {
         Stage stage = program.stage(Witness.NONE);
         for (at = 0; at < hashes.length; at++) {

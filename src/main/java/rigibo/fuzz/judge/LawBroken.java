@@ -1,11 +1,11 @@
 package rigibo.fuzz.judge;
 
-/** Thrown where a law does not hold. */
+/** Thrown if a law does not hold. */
 final class LawBroken extends RuntimeException {
 
     private static final long serialVersionUID = 1;
 
-    /** Which law, in a few words that are the same each time it is broken. */
+    /** The law, in a few words that are the same each time. */
     final String law;
 
     LawBroken(String law, String words) {
@@ -18,7 +18,7 @@ final class LawBroken extends RuntimeException {
         this.law = law;
     }
 
-    /** Throws where a law does not hold. */
+    /** Throws if a law does not hold. */
     static void unless(boolean holds, String law, String words, Object... arguments) {
         if (!holds) {
             throw new LawBroken(law, String.format(words, arguments));

@@ -9,7 +9,7 @@ import rigibo.fuzz.program.Witness;
 import java.util.List;
 import java.util.Optional;
 
-/** Judges each step and each answer. */
+/** Checks every step and every answer. */
 final class Observer implements Witness {
 
     private static final double USUAL_STEP = 1.0 / 60;
@@ -63,7 +63,7 @@ final class Observer implements Witness {
         Answers.requireIn(pool, box, found);
     }
 
-    /** Whatever it is, it has to bear the next steps. */
+    /** Whatever the altered snapshot restored to must survive the next steps. */
     @Override
     public void restoredAltered(Pool pool, int bytes) {
         tally.count(Tally.Of.ALTERED_SNAPSHOTS_RESTORED);

@@ -8,19 +8,19 @@ import rigibo.backend.geometry.Length;
 import rigibo.backend.geometry.Polygon;
 
 /**
- * A body's outline in the world, worked out from its shape and pose by the plainest formulas: what
- * the engine finds by trees and searches is held against it.
+ * The outline of a body in the world, computed from its shape and pose by simple formulas. The
+ * answers that the engine finds by trees and searches are compared with it.
  */
 final class Outline {
 
-    /** The share of all lengths involved within which the two may differ. */
+    /** The tolerance between the two, as a share of the lengths involved. */
     private static final double ROUND_OFF = 1e-7;
 
     private final double x;
     private final double y;
     private final double radius;
 
-    /** Corners and outward normals; none of a disc. */
+    /** The corners and outward normals; a disc has none. */
     private final double[] cornerX;
 
     private final double[] cornerY;
@@ -50,7 +50,7 @@ final class Outline {
         }
     }
 
-    /** Whether it is of a body that queries answer with, and of a shape known here. */
+    /** Whether queries can answer with the body and its shape is known here. */
     static boolean isKnown(RigidBody body) {
         boolean isPlain =
                 body.shape() instanceof Circle
@@ -62,7 +62,7 @@ final class Outline {
         return cornerX.length == 0;
     }
 
-    /** Length in m by which an answer may be off where it has to do with points so far out, m. */
+    /** The tolerance in m of an answer about points at a distance from the origin, m. */
     double slack(double... far) {
         double all = Math.abs(x) + Math.abs(y) + radius;
         for (double length : far) {
@@ -71,7 +71,7 @@ final class Outline {
         return ROUND_OFF * all;
     }
 
-    /** How far inside a point is, m; negative outside. */
+    /** The depth of a point inside the outline, m; negative outside. */
     double depth(double px, double py) {
         if (isDisc()) {
             return radius - Length.hypot(px - x, py - y);
@@ -84,7 +84,7 @@ final class Outline {
         return least;
     }
 
-    /** How deep a box and this overlap along the axis that parts them best, m; negative apart. */
+    /** The overlap with a box along the best separating axis, m; negative if they are apart. */
     double overlap(Aabb box) {
         double least = Math.min(along(box, 1, 0), along(box, 0, 1));
         for (int i = 0; i < normalX.length; i++) {
@@ -113,7 +113,7 @@ final class Outline {
         return Math.min(middle + half + least, most - (middle - half));
     }
 
-    /** The farthest this reaches along an axis of length 1. */
+    /** The support along a unit axis. */
     private double reach(double axisX, double axisY) {
         if (isDisc()) {
             return axisX * x + axisY * y + radius;
@@ -126,8 +126,8 @@ final class Outline {
     }
 
     /**
-     * The part of a way that is inside, as two shares of it from 0 to 1; the first is the greater
-     * where there is none.
+     * The part of a segment that is inside, as two shares of it from 0 to 1; the first is greater
+     * if there is none.
      */
     double[] inside(double fromX, double fromY, double alongX, double alongY) {
         return isDisc()

@@ -9,12 +9,15 @@ import rigibo.backend.geometry.Length;
 
 import java.util.Optional;
 
-/** A ray, and what every body that it may meet says to its answer. */
+/** A ray, with the bounds on its answer from every body that it may hit. */
 record Ray(double fromX, double fromY, double toX, double toY) {
 
     private static final String FIRST = "a ray meets the first body on its way";
 
-    /** How sharply round-off may bend a way through a body: in widths of the uncertainty. */
+    /**
+     * The length of a way through a body below which round-off decides, in widths of the
+     * uncertainty.
+     */
     private static final double CLEARLY = 10;
 
     void requireHit(Pool pool, Optional<RayHit> hit) {
@@ -51,8 +54,8 @@ record Ray(double fromX, double fromY, double toX, double toY) {
     }
 
     /**
-     * The share of the way after which it is inside a body beyond doubt; above 1 where it never is,
-     * or begins in it, or nearly.
+     * The share of the ray after which it is certainly inside a body; above 1 if it never is, or if
+     * it begins in the body or close to it.
      */
     private double clearlyEnters(Outline outline) {
         double alongX = toX - fromX;

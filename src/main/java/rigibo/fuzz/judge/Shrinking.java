@@ -9,24 +9,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Cuts a program down as long as it breaks the same law. */
+/** Shrinks a program while it breaks the same law. */
 public final class Shrinking {
 
-    /** Processor time in s after which cutting down stops, however long the program still is. */
+    /** The processor time in s after which shrinking stops. */
     private static final double LONGEST = 15;
 
     private final Watch watch;
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
 
-    /** The watch reports a program that hangs while it is cut down. */
+    /** A watch reports programs that hang while shrinking. */
     public Shrinking(Watch watch) {
         this.watch = watch;
     }
 
-    /**
-     * A program that still breaks the law of a failure, with as few operations as were found in the
-     * time there is.
-     */
+    /** The shortest program found in the time that still breaks the law of a failure. */
     public Program of(Program program, Failure failure) {
         Program small = upTo(program, failure.operation());
         small = breaks(small, failure) ? small : program;

@@ -6,7 +6,7 @@ import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.BodyType;
 
-/** What holds of a pool at any time between steps. */
+/** The laws of a pool between any two steps. */
 final class States {
 
     private static final String FINITE = "every state is finite";

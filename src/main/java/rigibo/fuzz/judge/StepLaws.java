@@ -11,7 +11,7 @@ import rigibo.backend.setup.BodyType;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What holds of every step. */
+/** The laws of every step. */
 final class StepLaws {
 
     private static final String STILL = "what is static stays where it is";
@@ -29,7 +29,7 @@ final class StepLaws {
      */
     private static final int MOST_ROWS_PER_PAIR = 6;
 
-    /** Where a static body was. */
+    /** The former place of a static body. */
     private record Place(RigidBody body, double x, double y, double angle) {
 
         boolean isTheSame() {

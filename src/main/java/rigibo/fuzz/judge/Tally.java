@@ -4,10 +4,10 @@ import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** How much was really asked. */
+/** Counts what was really checked. */
 public final class Tally {
 
-    /** What is counted. */
+    /** The counters. */
     public enum Of {
         PROGRAMS,
         OPERATIONS,
@@ -23,17 +23,17 @@ public final class Tally {
 
     private final Map<Of, Long> counts = new EnumMap<>(Of.class);
 
-    /** One more. */
+    /** Adds one. */
     public void count(Of what) {
         counts.merge(what, 1L, Long::sum);
     }
 
-    /** How many. */
+    /** The value of a counter. */
     public long of(Of what) {
         return counts.getOrDefault(what, 0L);
     }
 
-    /** All that was counted, in one line. */
+    /** All counters in one line. */
     @Override
     public String toString() {
         StringBuilder words = new StringBuilder();

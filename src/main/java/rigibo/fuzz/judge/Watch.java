@@ -5,8 +5,8 @@ import java.lang.management.ThreadMXBean;
 import java.util.Optional;
 
 /**
- * What a thread does and since when, for another thread to look at. The time is the processor's,
- * which other programs on the machine do not take.
+ * What a thread does and since when, for another thread to read. Times are processor times, which
+ * other programs do not influence.
  */
 public final class Watch {
 
@@ -14,18 +14,18 @@ public final class Watch {
 
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
 
-    /** Something that began on a thread, after so much of the processor's time. */
+    /** A task of a thread, with the thread's processor time at its start. */
     private record Begun(String what, long thread, long nanos) {}
 
     private volatile Begun present = new Begun("nothing", Thread.currentThread().getId(), 0);
 
-    /** The thread that calls begins with something else. */
+    /** Reports that the calling thread begins a task. */
     public void begins(String what) {
         long nanos = threads.getCurrentThreadCpuTime();
         present = new Begun(what, Thread.currentThread().getId(), nanos);
     }
 
-    /** What has taken longer than so many seconds; a thread that has ended takes no time. */
+    /** The tasks that have taken longer than a time in s; ended threads are ignored. */
     public Optional<String> overdue(double seconds) {
         Begun now = present;
         double taken = NANOS * (threads.getThreadCpuTime(now.thread()) - now.nanos());

@@ -1,7 +1,7 @@
 /**
- * Runs programs and judges what the engine makes of them, by laws that hold for every program:
- * nothing is thrown but refusals, refusals change nothing, states are finite, copies go on alike,
- * answers are those of a search through all bodies. Cuts down what breaks one. Knows the engine's
- * public face alone. SI units.
+ * Runs programs and checks the engine by laws that hold for every program: only refusals are
+ * thrown, refusals change nothing, states are finite, copies continue alike, and answers equal
+ * those of a search through all bodies. Programs that break a law are shrunk. This room knows the
+ * engine's public face alone. SI units.
  */
 package rigibo.fuzz.judge;

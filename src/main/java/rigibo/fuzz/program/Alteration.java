@@ -6,27 +6,25 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /**
- * What may happen to a snapshot on a disk, or be done to it on purpose: bytes changed, left out,
- * put in twice; with the length and the checksum of before, or made to fit.
+ * A change to a snapshot, by a bad disk or on purpose: bytes changed, left out or repeated, with
+ * the old length and checksum or with matching ones.
  *
  * @param seed the same does the same
  */
 public record Alteration(long seed) {
 
-    /**
-     * Where a snapshot's header keeps its length and its checksum, and where its content begins.
-     */
+    /** The places of the length, the checksum and the content in a snapshot. */
     private static final int LENGTH_AT = 12;
 
     private static final int CHECKSUM_AT = 16;
     private static final int HEADER_BYTES = 24;
 
-    /** The constants of the checksum, as {@code storage.Bits} has them. */
+    /** The constants of the checksum, as in {@code storage.Bits}. */
     private static final long SEED = 0x243F6A8885A308D3L;
 
     private static final long ODD = 0x9E3779B97F4A7C15L;
 
-    /** Altered bytes; those given stay as they are. */
+    /** An altered copy of bytes. */
     public byte[] of(byte[] snapshot) {
         Chance chance = Chance.of(seed, 0);
         byte[] altered = snapshot.clone();
@@ -75,7 +73,7 @@ public record Alteration(long seed) {
         return longer;
     }
 
-    /** With the length and the checksum that fit, so that the content itself is looked at. */
+    /** Corrects length and checksum, so that the content itself is read. */
     static byte[] sealed(byte[] bytes) {
         if (bytes.length < HEADER_BYTES) {
             return bytes;

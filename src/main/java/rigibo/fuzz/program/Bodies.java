@@ -20,10 +20,10 @@ import rigibo.fuzz.chance.Chance;
 import java.util.Arrays;
 import java.util.List;
 
-/** Draws bodies, and what they are made of. */
+/** Draws bodies and their shapes and materials. */
 record Bodies(Chance chance, Temper temper) {
 
-    /** A definition that a pool takes, unless its mass is beyond all bounds. */
+    /** A valid definition, unless its mass is out of range. */
     Stated<BodyDefinition> definition(int number) {
         Stated<BodyDefinition> body = ofType();
         double x = temper.placeX(chance);
@@ -61,7 +61,7 @@ record Bodies(Chance chance, Temper temper) {
                 .then(call("spin", spin), b -> b.spin(spin));
     }
 
-    /** Names are how a restored pool's bodies are told apart. */
+    /** The bodies of a restored pool are identified by their names. */
     private Stated<BodyDefinition> options(Stated<BodyDefinition> plain, int number) {
         String name = Stage.name(number);
         Stated<BodyDefinition> body = plain.then("name(\"" + name + "\")", b -> b.name(name));
@@ -100,7 +100,7 @@ record Bodies(Chance chance, Temper temper) {
         return chance.happens(0.1) ? body.then("awake(false)", b -> b.awake(false)) : body;
     }
 
-    /** Most meet all; what shares a category or a group is by chance. */
+    /** Most bodies collide with all others; categories and groups are drawn. */
     Stated<Filter> filter() {
         if (chance.happens(0.5)) {
             return new Stated<>("Filter.ALL", () -> Filter.ALL);
@@ -181,14 +181,12 @@ record Bodies(Chance chance, Temper temper) {
         };
     }
 
-    /**
-     * Ground that goes up and down from right to left, so that what is solid is below; or a cave.
-     */
+    /** A rough ground that runs from right to left, so that the matter is below, or a cave. */
     private Stated<Shape> chain() {
         return chance.happens(0.3) ? cave() : ground();
     }
 
-    /** Clockwise round the scene, or a part of it, so that what is solid is outside. */
+    /** A chain clockwise around the scene or a part of it, so that the matter is outside. */
     private Stated<Shape> cave() {
         double[] xy = new double[2 * chance.whole(3, 24)];
         double reach = temper.reach() * chance.between(0.5, 2);
@@ -222,7 +220,7 @@ record Bodies(Chance chance, Temper temper) {
                 () -> Polygon.regular(corners, radius));
     }
 
-    /** Corners anywhere on an ellipse: convex, and often with an edge that is hardly there. */
+    /** A polygon with corners anywhere on an ellipse, often with a very short edge. */
     private Stated<Shape> ragged(double radius) {
         double[] angles = new double[chance.whole(3, 8)];
         for (int i = 0; i < angles.length; i++) {

@@ -22,17 +22,17 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
-/** Draws joints of all kinds, and what is done to them. */
+/** Draws joints of all kinds and their changes. */
 record Connections(Chance chance, Temper temper) {
 
-    /** How a joint is made of two bodies, and the Java that says it. */
+    /** Makes a joint between two bodies, and knows the Java expression for it. */
     private record Maker(String java, Making making) {}
 
     private interface Making {
         JointDefinition of(Stage stage, RigidBody a, RigidBody b);
     }
 
-    /** Joins two bodies, a spare or the same one twice among them. */
+    /** Joins two bodies, which may be removed ones or one body twice. */
     Operation join(int a, int b) {
         Maker maker = maker(chance.oneOf(List.of(JointKind.values())), a, b);
         Stated<UnaryOperator<JointDefinition>> options = options();
@@ -103,7 +103,7 @@ record Connections(Chance chance, Temper temper) {
         };
     }
 
-    /** Of two of the joints that there are; refused where there are none. */
+    /** A gear of two existing joints; refused if there are none. */
     private Maker gear(double ratio) {
         int first = chance.whole(0, 20);
         int second = chance.whole(0, 20);
@@ -147,7 +147,7 @@ record Connections(Chance chance, Temper temper) {
         return new Stated<>(java, () -> option);
     }
 
-    /** Changes or removes one of the joints that there are. */
+    /** Changes or removes an existing joint. */
     Operation change() {
         double low = -temper.length(chance);
         double high = temper.length(chance);

@@ -10,7 +10,7 @@ import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.setup.Integrator;
 import rigibo.fuzz.chance.Chance;
 
-/** Draws an accuracy: a preset, or every knob by itself. */
+/** Draws an accuracy: a preset, or each knob separately. */
 final class DrawnAccuracy {
 
     private static final double LEAST_TOLERANCE = 1e-9;

@@ -50,7 +50,7 @@ final class DrawnEffects {
         DrawnEffects effects = new DrawnEffects(chance, temper);
         effects.drawAll();
         List<Stated<Effect>> all = effects.drawn;
-        // Any order is as good as any other.
+        // The order must not matter.
         Collections.rotate(all, chance.whole(0, Math.max(1, all.size())));
         return new Stated<>(
                 all.stream()
@@ -177,7 +177,7 @@ final class DrawnEffects {
                 "new Field(" + function.java() + ")", () -> new Field(function.value()));
     }
 
-    /** Declares an effect without parameters, or does not. */
+    /** Declares an effect without parameters with a probability. */
     private boolean plain(double probability, Effect effect) {
         boolean isDeclared = chance.happens(probability);
         if (isDeclared) {

@@ -10,10 +10,10 @@ import rigibo.fuzz.chance.Chance;
 
 import java.util.List;
 
-/** Draws what a game does to its bodies beside pushing them: drives, rests, locks, filters. */
+/** Draws other verbs of games: driving, putting to rest, locking, filtering. */
 record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
 
-    /** Of a part that may not be there. */
+    /** The bound of drawn indices of parts; a body may have fewer parts. */
     private static final int MOST_PARTS = 3;
 
     Operation ofBody(int number) {
@@ -75,7 +75,7 @@ record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
                 b -> b.material(part, material.value()));
     }
 
-    /** No verb of the engine's: what was removed keeps its tag, and takes another. */
+    /** Tags are no verb of the engine: a removed body keeps its tag and accepts another. */
     private static Operation tag(int number) {
         return Operation.done(
                 "if (body[" + number + "] != null) { body[" + number + "].tag(" + number + "); }",
@@ -86,7 +86,10 @@ record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
                 });
     }
 
-    /** Of the order of a weight a second for each metre, or of anything, either way. */
+    /**
+     * An explosion of either sign, whose impulse per metre is of the order of a weight per second,
+     * or of any size.
+     */
     Operation explode() {
         double x = temper.placeX(chance);
         double y = temper.placeY(chance);

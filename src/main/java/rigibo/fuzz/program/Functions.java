@@ -5,7 +5,7 @@ import rigibo.backend.effect.Gusts;
 import rigibo.backend.geometry.Angle;
 import rigibo.fuzz.chance.Chance;
 
-/** Draws functions such as a caller might hand in; some are not finite everywhere. */
+/** Draws functions such as a caller might pass; some are not finite everywhere. */
 final class Functions {
 
     private Functions() {}

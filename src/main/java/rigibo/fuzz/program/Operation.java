@@ -17,17 +17,17 @@ import java.util.function.Consumer;
 public record Operation(
         String java, Kind kind, String refusal, List<Integer> bodies, Consumer<Stage> act) {
 
-    /** What has to become of an operation. */
+    /** The expected outcome of an operation. */
     public enum Kind {
-        /** Is done. */
+        /** It is done. */
         DONE,
-        /** Is done, or refused where the state or a drawn number calls for it. */
+        /** It is done, or refused because of the state or a drawn number. */
         TRIED,
-        /** Is refused. */
+        /** It is refused. */
         REFUSED,
-        /** Is answered, and changes nothing. */
+        /** It is answered and changes nothing. */
         ASKED,
-        /** A restored copy goes on beside the pool from here. */
+        /** From here on a restored copy runs beside the pool. */
         COPIED
     }
 
@@ -39,7 +39,7 @@ public record Operation(
         return new Operation(java, Kind.TRIED, "", bodies, act);
     }
 
-    /** A verb of one body, as it is written and as it is done. */
+    /** An operation that calls a verb of one body. */
     static Operation verb(int number, String call, Consumer<RigidBody> verb) {
         return tried(
                 "body[" + number + "]." + call + ";",
@@ -47,7 +47,7 @@ public record Operation(
                 stage -> verb.accept(stage.body(number)));
     }
 
-    /** Has to be refused, naming the field. */
+    /** An operation that must be refused with the name of a field. */
     public static Operation refused(
             String java, String field, List<Integer> bodies, Consumer<Stage> act) {
         return new Operation(java, Kind.REFUSED, field, bodies, act);
@@ -57,14 +57,12 @@ public record Operation(
         return new Operation(java, Kind.ASKED, "", bodies, act);
     }
 
-    /**
-     * Whether all bodies it names have been added; where an addition was left out, some are not.
-     */
+    /** Whether all bodies that it names were added; shrinking may have left out an addition. */
     public boolean canBeDone(Stage stage) {
         return bodies.stream().allMatch(stage::knows);
     }
 
-    /** Whether it names a body that is no longer in its pool, which every verb refuses. */
+    /** Whether it names a removed body, which every verb refuses. */
     public boolean namesTheRemoved(Stage stage) {
         return bodies.stream().anyMatch(number -> !stage.body(number).isAlive());
     }

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Calls of the engine's public face.
+ * A program: calls of the engine's public face.
  *
  * @param effects what the pool simulates at first
  * @param accuracy how exactly at first
@@ -17,12 +17,12 @@ import java.util.stream.Collectors;
 public record Program(
         Stated<Effects> effects, Stated<Accuracy> accuracy, List<Operation> operations) {
 
-    /** A program with this one's effects and accuracy, and other operations. */
+    /** A copy with other operations. */
     public Program with(List<Operation> others) {
         return new Program(effects, accuracy, List.copyOf(others));
     }
 
-    /** A stage with an empty pool, on which the operations can be done. */
+    /** A stage with an empty pool for the operations. */
     public Stage stage(Witness witness) {
         return new Stage(new Pool(effects.value(), accuracy.value()), witness);
     }

@@ -5,13 +5,13 @@ import rigibo.fuzz.chance.Chance;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Draws programs: the same seed and index make the same one, in every JVM. */
+/** Draws programs. A seed and an index make the same program in every JVM. */
 public final class Programs {
 
-    /** Bodies that a program adds at most. */
+    /** The most bodies that a program adds. */
     static final int MOST_BODIES = 200;
 
-    /** A kind of operation, and how often it is drawn. */
+    /** A kind of operation and its frequency. */
     private record Share(double probability, Draw draw) {}
 
     private interface Draw {

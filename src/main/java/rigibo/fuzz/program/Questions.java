@@ -10,7 +10,7 @@ import rigibo.fuzz.chance.Chance;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Draws what a pool is asked: none of it may change anything. */
+/** Draws queries, which must not change anything. */
 record Questions(Chance chance, Temper temper) {
 
     Operation ask(int one, int other) {
@@ -96,7 +96,7 @@ record Questions(Chance chance, Temper temper) {
                 });
     }
 
-    /** Bytes that were altered are refused, or make a pool that bears to be stepped. */
+    /** Altered bytes are refused, or they make a pool that can be stepped. */
     private Operation alteredSnapshot() {
         long seed = chance.bits();
         return Operation.asked(
@@ -116,7 +116,7 @@ record Questions(Chance chance, Temper temper) {
         stage.witness().restoredAltered(pool, bytes.length);
     }
 
-    /** From here on a restored copy is asked to do the same. */
+    /** From here on a restored copy does the same. */
     Operation copy() {
         return new Operation(
                 "Pool copy = Pool.restore(pool.snapshot(), pool.effects());",

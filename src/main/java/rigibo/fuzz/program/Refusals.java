@@ -25,7 +25,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
-/** Draws what has to be refused at the door, with the field that the refusal names. */
+/** Draws calls that must be refused, with the field that the refusal names. */
 record Refusals(Chance chance) {
 
     Operation draw(int body) {
@@ -246,7 +246,7 @@ record Refusals(Chance chance) {
         };
     }
 
-    /** What is not there at all. */
+    /** Null arguments. */
     private Operation missing(int number) {
         return switch (chance.whole(0, 9)) {
             case 0 -> verb(number, "RigidBody.type", "type(null)", b -> b.type(null));

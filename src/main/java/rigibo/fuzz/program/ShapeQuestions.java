@@ -16,7 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Draws questions with shapes, filters and sensors: none of them may change anything. */
+/** Draws queries with shapes, filters and sensors, which must not change anything. */
 record ShapeQuestions(Chance chance, Temper temper, Bodies bodies) {
 
     Operation ask(int one, int other) {
@@ -29,7 +29,7 @@ record ShapeQuestions(Chance chance, Temper temper, Bodies bodies) {
         };
     }
 
-    /** The first of all bodies that a ray enters is the one that it is said to meet first. */
+    /** Of all bodies that a ray enters, the first must be the one that the nearest hit reports. */
     private Operation rays() {
         double fromX = temper.placeX(chance);
         double fromY = temper.placeY(chance);
@@ -116,7 +116,10 @@ record ShapeQuestions(Chance chance, Temper temper, Bodies bodies) {
                 stage -> stage.pool().nearest(x, y, within, filter.value()));
     }
 
-    /** Who is inside is told alike of all and of one; nobody is asked where none are declared. */
+    /**
+     * A sensor's visitors are the same whether asked of the pool or of the sensor; without the
+     * effect none are asked.
+     */
     private static Operation sensors(int one, int other) {
         return Operation.asked(
                 "if (pool.effects().declares(Sensors.class)) { assertThat(pool.inside(body["

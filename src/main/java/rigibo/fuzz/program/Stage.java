@@ -7,7 +7,7 @@ import rigibo.backend.setup.BodyDefinition;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** What a program acts on: a pool, and its bodies by the numbers that the program gives them. */
+/** The pool of a running program, and its bodies by the program's numbers. */
 public final class Stage {
 
     private final Witness witness;
@@ -19,12 +19,12 @@ public final class Stage {
         this.witness = witness;
     }
 
-    /** The pool at present: a program may go on with a restored one. */
+    /** The present pool; a program may continue with a restored one. */
     public Pool pool() {
         return pool;
     }
 
-    /** How many bodies the program has added so far. */
+    /** The number of bodies that the program has added so far. */
     public int added() {
         return bodies.size();
     }
@@ -33,12 +33,12 @@ public final class Stage {
         return bodies.containsKey(number);
     }
 
-    /** The body with a number, in its pool or removed. */
+    /** The body with a number, possibly removed. */
     RigidBody body(int number) {
         return bodies.get(number);
     }
 
-    /** What bodies are called: a restored pool's are known by it. */
+    /** The name of the body with a number, by which it is found in a restored pool. */
     static String name(int number) {
         return "b" + number;
     }
@@ -57,7 +57,7 @@ public final class Stage {
         return witness;
     }
 
-    /** A stage of its own with the restored pool, which nobody looks at. */
+    /** A separate stage with the restored pool and no witness. */
     public Stage copy() {
         Stage copy = new Stage(pool, Witness.NONE);
         copy.bodies.putAll(bodies);
@@ -65,7 +65,7 @@ public final class Stage {
         return copy;
     }
 
-    /** Goes on with the pool that its own snapshot makes. */
+    /** Continues with the pool restored from its own snapshot. */
     void goOnRestored() {
         pool = restored(pool.snapshot());
         for (RigidBody body : pool.bodies()) {
@@ -74,7 +74,7 @@ public final class Stage {
         witness.restored(pool);
     }
 
-    /** The functions among the effects cannot be written and are handed in again. */
+    /** Functions of effects are not saved and are passed again. */
     Pool restored(byte[] snapshot) {
         return pool.effects().holdFunctions()
                 ? Pool.restore(snapshot, pool.effects())

@@ -6,7 +6,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
 /**
- * A value and the Java that makes it. It is made anew each time it is asked for: making may be
+ * A value and the Java expression for it. The value is made anew each time, since making it may be
  * refused.
  *
  * @param java an expression
@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
  */
 public record Stated<T>(String java, Supplier<T> making) {
 
-    /** The value, or the exception that its maker throws. */
+    /** The value; throws what its maker throws. */
     public T value() {
         return making.get();
     }
@@ -29,7 +29,7 @@ public record Stated<T>(String java, Supplier<T> making) {
         return name + "(" + numbers(numbers) + ")";
     }
 
-    /** Numbers as Java reads them, to the last bit. */
+    /** Numbers as Java literals, exact to the last bit. */
     static String numbers(double... numbers) {
         return Arrays.stream(numbers).mapToObj(Stated::number).collect(Collectors.joining(", "));
     }

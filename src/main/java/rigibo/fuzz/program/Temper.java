@@ -3,8 +3,8 @@ package rigibo.fuzz.program;
 import rigibo.fuzz.chance.Chance;
 
 /**
- * How a program draws its numbers: bodies of like size that are close to each other meet, which
- * numbers drawn all over the place never would.
+ * How a program draws its numbers: bodies of similar size close to each other, which meet, unlike
+ * bodies drawn at random places.
  *
  * @param size of its bodies, m
  * @param reach of its scene about the middle, m
@@ -16,12 +16,12 @@ import rigibo.fuzz.chance.Chance;
 record Temper(
         double size, double reach, double middleX, double middleY, double speed, double wildness) {
 
-    /** Smallest and greatest body, m. */
+    /** The sizes of the smallest and the largest body, m. */
     static final double SMALLEST = 1e-4;
 
     static final double GREATEST = 1e4;
 
-    /** The usual size is that of a game's bodies; the rest is anywhere. */
+    /** The size is usually that of a game's bodies, and otherwise any. */
     static Temper draw(Chance chance, int bodies) {
         double size = chance.happens(0.5) ? 0.5 : chance.ofAnySize(SMALLEST, GREATEST);
         double crowding = chance.oneOf(0.5, 1.0, 2.0, 4.0);
@@ -53,7 +53,7 @@ record Temper(
         return isWild(chance) ? far(chance) : middleY + reach * chance.between(-1, 1);
     }
 
-    /** Every finite place is allowed. */
+    /** A place that may be anywhere. */
     private static double far(Chance chance) {
         return chance.ofEitherSign(1e-12, chance.oneOf(1e3, 1e9, 1e18, 1e160, 1e308));
     }
@@ -76,7 +76,7 @@ record Temper(
         return chance.happens(0.3) ? 0 : speed / size * chance.between(-1, 1);
     }
 
-    /** Of a number that is usually about one. */
+    /** A number that is usually about one. */
     double factor(Chance chance, double most) {
         return isWild(chance) ? chance.ofAnySize(1 / most, most) : chance.ofAnySize(0.1, 10);
     }

@@ -14,7 +14,7 @@ import rigibo.fuzz.chance.Chance;
 
 import java.util.List;
 
-/** Draws what changes a pool: steps and edits. */
+/** Draws steps and edits of a pool. */
 record Verbs(Chance chance, Temper temper, Bodies bodies) {
 
     /** A game's step, s. */
@@ -119,7 +119,7 @@ record Verbs(Chance chance, Temper temper, Bodies bodies) {
                 body -> body.applyImpulse(jx, jy, px, py));
     }
 
-    /** Of the order of a body's weight, or of anything. */
+    /** A force of the order of a body's weight, or of any size. */
     private double strength() {
         double mass = temper.size() * temper.size();
         double factor = temper.factor(chance, 1e150);

@@ -8,31 +8,31 @@ import rigibo.backend.geometry.Aabb;
 import java.util.List;
 import java.util.Optional;
 
-/** Is told what a program asks and what it is answered, in order to judge it. */
+/** Receives the queries of a program and their answers, to check them. */
 public interface Witness {
 
-    /** Who looks at nothing. */
+    /** A witness that checks nothing. */
     Witness NONE = new Witness() {};
 
-    /** A step is about to begin. */
+    /** Called before a step. */
     default void beforeStep(Pool pool) {}
 
-    /** A step of dt in s was made. */
+    /** Called after a step of dt s. */
     default void stepped(Pool pool, double dt) {}
 
-    /** The program goes on with a pool that was just restored. */
+    /** Called when the program continues with a restored pool. */
     default void restored(Pool pool) {}
 
-    /** What is at a point, m. */
+    /** Called with the answer to what is at a point, m. */
     default void foundAt(Pool pool, double x, double y, Optional<RigidBody> found) {}
 
-    /** What a ray meets on its way, m. */
+    /** Called with the answer to what a ray hits, m. */
     default void metByRay(
             Pool pool, double fromX, double fromY, double toX, double toY, Optional<RayHit> hit) {}
 
-    /** What reaches into a box, m. */
+    /** Called with the answer to what overlaps a box, m. */
     default void foundIn(Pool pool, Aabb box, List<RigidBody> found) {}
 
-    /** A snapshot of so many bytes was altered and restored all the same. */
+    /** Called when an altered snapshot was restored nevertheless. */
     default void restoredAltered(Pool pool, int bytes) {}
 }
