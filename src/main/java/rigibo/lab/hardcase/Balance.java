@@ -7,11 +7,11 @@ import rigibo.backend.setup.BodyType;
 import java.util.List;
 
 /**
- * The books of energy and momentum over one step, kept from what the bodies say of themselves.
+ * The balance of energy and momentum over one step, from the state of the bodies.
  *
- * <p>E0, which gains are compared with, is the largest of the energy at the start, the kinetic
- * energy since, and the energy that lifts every body by its own radius: a scene at rest at the
- * height 0 has none of the first two.
+ * <p>Gains are compared with E0: the largest of the energy at the start, the kinetic energy since,
+ * and the energy that lifts every body by its own radius. The last is needed for scenes at rest at
+ * the height 0.
  */
 final class Balance {
 
@@ -36,7 +36,7 @@ final class Balance {
     }
 
     /**
-     * Opens the books of a step.
+     * Begins a step.
      *
      * @param springs energy in springs, J, which counts as that of height
      */
@@ -48,7 +48,7 @@ final class Balance {
     }
 
     /**
-     * Closes the books of a step.
+     * Ends a step.
      *
      * @param springs energy in springs, J
      * @return how many bodies are not finite

@@ -5,10 +5,10 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.setup.BodyType;
 
 /**
- * The work of driven bodies that all move to the right at one speed u while weight pulls straight
- * down: u times the momentum they hand over, which is all that the bodies have got beyond what
- * fixed bodies gave them. What fixed bodies give is taken from their contacts' normal impulses: a
- * vertical wall rubs straight up and down.
+ * The work of driven bodies that all move to the right at one speed u under vertical gravity. It is
+ * u times the momentum that they hand over: all momentum of the bodies beyond that from fixed
+ * bodies. The latter is the sum of their normal impulses, since the friction of a vertical wall is
+ * vertical.
  */
 final class CarrierWork {
 
@@ -22,7 +22,7 @@ final class CarrierWork {
         momentum = momentum();
     }
 
-    /** Of the last step, J; to be asked after each. */
+    /** The work of the last step, J; called after each step. */
     double ofStep() {
         double before = momentum;
         momentum = momentum();

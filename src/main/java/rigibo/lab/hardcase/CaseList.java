@@ -3,7 +3,7 @@ package rigibo.lab.hardcase;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Cases in the order they are told. */
+/** A list of cases in the order of the report. */
 final class CaseList {
 
     private final List<HardCase> cases = new ArrayList<>();
@@ -13,22 +13,24 @@ final class CaseList {
         return add(HardCase.of(row, title, scenes));
     }
 
-    /** Adds a case of which DRAFT is held to what is true in every case alone. */
+    /** Adds a case whose own figures have limits from GAME on. */
     CaseList fromGame(String row, String title, Scenes scenes) {
         return add(HardCase.of(row, title, scenes).limitedFrom(Preset.GAME));
     }
 
-    /** DRAFT leaves impacts to the one solve of a pile that a step has. */
+    /** Adds a case of impacts, which DRAFT leaves to the single solve of a pile in a step. */
     CaseList ofImpacts(String row, String title, Scenes scenes) {
         return fromGame(row, title, scenes);
     }
 
-    /** DRAFT takes a force that changes along the way once a step. */
+    /** Adds a case of a force that varies along the path, which DRAFT evaluates once a step. */
     CaseList ofFields(String row, String title, Scenes scenes) {
         return fromGame(row, title, scenes);
     }
 
-    /** One substep a step is too few for what turns on a corner. */
+    /**
+     * Adds a case of bodies that turn on a corner, for which DRAFT's single substep is too coarse.
+     */
     CaseList ofCorners(String row, String title, Scenes scenes) {
         return fromGame(row, title, scenes);
     }
@@ -38,14 +40,14 @@ final class CaseList {
         return this;
     }
 
-    /** Says why the last one added does not reach its truth everywhere. */
+    /** States why the last case added does not reach its truth everywhere. */
     CaseList finding(String words) {
         int last = cases.size() - 1;
         cases.set(last, cases.get(last).finding(words));
         return this;
     }
 
-    /** Has the last one added counted from a preset on. */
+    /** Sets the fastest preset of the last case added. */
     CaseList fastest(Preset preset) {
         int last = cases.size() - 1;
         cases.set(last, cases.get(last).fastest(preset));

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** Results as lines for a terminal, as CSV, and as a page of Markdown. */
+/** Formats results for a terminal, as CSV, and as a page of Markdown. */
 public final class CaseTable {
 
     private static final String CSV_HEAD =
@@ -56,7 +56,7 @@ public final class CaseTable {
                 result.work());
     }
 
-    /** A line for every figure beyond its limit, saying where; empty where there is none. */
+    /** A line for every figure beyond its limit, with the place; empty if there is none. */
     public static List<String> failures(HardCase.Result result) {
         return result.measures().stream()
                 .filter(measure -> !measure.passes())
@@ -195,7 +195,7 @@ public final class CaseTable {
         return result.passes() ? "ok" : "FAIL";
     }
 
-    /** Three digits; a margin beyond all bounds, of what was not seen at all, is ∞. */
+    /** A number with three digits; an infinite margin is ∞. */
     private static String number(double value) {
         if (Double.isInfinite(value)) {
             return "∞";

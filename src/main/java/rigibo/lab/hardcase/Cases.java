@@ -11,12 +11,12 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
- * Cases at presets, each run on its own. They run on two threads and are told in the order of the
- * list all the same, so that two runs print the same.
+ * Runs of cases at presets. They run on two threads, but results come in the order of the list, so
+ * that the output is always the same.
  */
 public final class Cases {
 
-    /** More would be slowed down by each other on small machines; the runs share nothing. */
+    /** The runs share nothing, but more threads would slow each other down on small machines. */
     private static final int MOST_THREADS = 2;
 
     private final List<Run> runs = new ArrayList<>();
@@ -35,7 +35,7 @@ public final class Cases {
     }
 
     /**
-     * Every chosen case at every preset that it is counted for.
+     * The runs of all chosen cases, at every preset from their fastest on.
      *
      * @param rows numbers such as {@code 20/10}, or {@code 20} for all its parts; empty means all
      *     cases but the long runs
@@ -59,24 +59,24 @@ public final class Cases {
         this.sampling = sampling;
     }
 
-    /** Those of them whose name does not satisfy a condition. */
+    /** The runs whose names do not satisfy a condition. */
     Cases without(Predicate<String> condition) {
         Cases rest = new Cases(sampling);
         runs.stream().filter(run -> !condition.test(run.name())).forEach(rest.runs::add);
         return rest;
     }
 
-    /** How many runs there are. */
+    /** The number of runs. */
     public int count() {
         return runs.size();
     }
 
-    /** Row and preset of each, in order. */
+    /** The names of all runs, in order: row and preset. */
     List<String> names() {
         return runs.stream().map(Run::name).toList();
     }
 
-    /** As {@link #names()} tells the run of a result. */
+    /** The name of a result's run, as in {@link #names()}. */
     static String name(HardCase.Result result) {
         return Run.name(result.hardCase(), result.preset());
     }
@@ -118,7 +118,7 @@ public final class Cases {
         return results;
     }
 
-    /** One broken case must not hide what the others measure. */
+    /** A case that breaks off must not hide the results of others. */
     private HardCase.Result run(HardCase hardCase, Preset preset) {
         try {
             return hardCase.run(preset, sampling);

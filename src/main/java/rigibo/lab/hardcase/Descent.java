@@ -4,7 +4,7 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Slope;
 
-/** A body on a slope of what it is of itself. */
+/** A body on a slope of its own material. */
 final class Descent {
 
     final RigidBody body;
@@ -21,17 +21,17 @@ final class Descent {
         startY = body.y();
     }
 
-    /** Where it is along the slope, m. */
+    /** The place along the slope, m. */
     double place() {
         return slope.down(body.x(), body.y());
     }
 
-    /** Down the slope since it was added, m. */
+    /** The distance down the slope since the start, m. */
     double way() {
         return slope.down(body.x() - startX, body.y() - startY);
     }
 
-    /** Down the slope, m/s. */
+    /** The speed down the slope, m/s. */
     double speed() {
         return slope.down(body.velocityX(), body.velocityY());
     }

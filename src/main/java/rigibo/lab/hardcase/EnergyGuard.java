@@ -7,8 +7,8 @@ import rigibo.backend.setup.BodyType;
 import java.util.List;
 
 /**
- * Holds a scene to the energy it began with and the work that is done to it: a limit per step alone
- * lets a little through at every step.
+ * Compares the energy of a scene with that of its start and the work done on it. A limit per step
+ * alone would allow a little more at every step.
  */
 final class EnergyGuard {
 
@@ -19,7 +19,7 @@ final class EnergyGuard {
     private double work;
 
     /**
-     * Begins with what there is now.
+     * Begins with the present energy.
      *
      * @param springs energy in springs, J
      */
@@ -28,14 +28,14 @@ final class EnergyGuard {
         start = energy(bodies) + springs;
     }
 
-    /** Adds work that was done to the scene, J; less than 0 where it was taken from it. */
+    /** Adds work done on the scene, J; negative if the scene did it. */
     void add(double joules) {
         work += joules;
     }
 
     /**
-     * Energy beyond the start and the work, as a share of what could be released by now: the motion
-     * at the start, and a fall from there to the lowest point that anything has reached.
+     * The energy beyond the start and the work, as a share of the energy that could have been
+     * released: the motion at the start, and a fall to the lowest point that any body has reached.
      */
     double beyond(List<RigidBody> bodies, double springs) {
         double excess = energy(bodies) + springs - start - work;
@@ -43,7 +43,7 @@ final class EnergyGuard {
         return could > 0 ? Math.max(0, excess) / could : Math.max(0, excess);
     }
 
-    /** Energy of motion and height, J. */
+    /** The energy of motion and height, J. */
     private double energy(List<RigidBody> bodies) {
         double sum = 0;
         mass = 0;
@@ -56,7 +56,7 @@ final class EnergyGuard {
         return sum;
     }
 
-    /** Potential energy of a body's centre, J/kg; notes that of its lowest point. */
+    /** The potential energy of a body's centre, J/kg; also records that of its lowest point. */
     private double height(RigidBody body) {
         double height = -gravity.x() * body.x() - gravity.y() * body.y();
         double pull = Math.hypot(gravity.x(), gravity.y());

@@ -81,14 +81,14 @@ public record HardCase(
         return trial;
     }
 
-    /** What came of a run that broke off. */
+    /** The result of a run that broke off. */
     public Result broken(Preset preset, Throwable cause) {
         Measure end = new Measure("runs that broke off", 1, 0, "runs", cause.toString());
         return new Result(this, preset, List.of(end), CaseWork.NONE);
     }
 
     /**
-     * What came of a case at a preset.
+     * The result of a case at a preset.
      *
      * @param hardCase the case
      * @param preset how exactly it was run
@@ -101,7 +101,7 @@ public record HardCase(
             return measures.stream().allMatch(Measure::passes);
         }
 
-        /** Of the figures that have a limit, the one nearest to it or the farthest beyond it. */
+        /** The figure that is nearest to its limit, or farthest beyond it. */
         public Measure worst() {
             return measures.stream()
                     .min(

@@ -2,7 +2,7 @@ package rigibo.lab.hardcase;
 
 import java.util.List;
 
-/** Every hard case there is. To add one, write its class and its line in one of the three lists. */
+/** All hard cases. To add one, write its class and a line in one of the three lists. */
 public final class HardCases {
 
     private static final List<HardCase> HELD =

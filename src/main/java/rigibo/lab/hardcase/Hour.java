@@ -3,9 +3,8 @@ package rigibo.lab.hardcase;
 import rigibo.lab.child.Work;
 
 /**
- * An hour of simulated time. Truth: once warm, a step takes nothing from the heap, and the last
- * minute works no more than the second. What counts here is work and not time, which is the
- * machine's.
+ * An hour of simulated time. Truth: once warm, a step allocates nothing, and the last minute does
+ * no more work than the second. Work is counted rather than time, which depends on the machine.
  */
 final class Hour {
 
@@ -13,7 +12,10 @@ final class Hour {
 
     private static final int STEPS_A_MINUTE = STEPS / 60;
 
-    /** A scene on its way through many places does not do the same in every minute. */
+    /**
+     * The growth of work that is allowed, since a moving scene does not do the same in every
+     * minute.
+     */
     private static final double MOST_GROWTH = 0.01;
 
     private final Trial trial;
@@ -25,7 +27,7 @@ final class Hour {
         this.pool = pool;
     }
 
-    /** Runs the hour and asks the judge after every minute. */
+    /** Runs the hour and calls the judge after every minute. */
     void run(Runnable judge) {
         long second = 0;
         long warm = 0;

@@ -4,9 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A body that slides to and fro in a bowl without friction and loses a share of its energy of
- * motion at every kink. Between kinks energy is kept, so that heights of kinks are all there is to
- * know.
+ * A body that slides back and forth in a bowl without friction and loses a share of its kinetic
+ * energy at every kink. Energy is kept between kinks, so only their heights matter.
  */
 final class KinkedSlide {
 
@@ -17,7 +16,7 @@ final class KinkedSlide {
     private int direction = 1;
 
     /**
-     * At rest, about to slide to the right.
+     * A body at rest that is about to slide to the right.
      *
      * @param heights of the body's centre at the kinks, m, from the left
      * @param loss share of the energy of motion that a kink takes
@@ -31,7 +30,7 @@ final class KinkedSlide {
         energy = height;
     }
 
-    /** Energies at the turning points, as heights in m, down to a last one. */
+    /** The energies at the turning points, as heights in m, down to a least one. */
     List<Double> swings(double lowest, int most) {
         List<Double> turns = new ArrayList<>();
         while (turns.size() < most && energy > lowest) {

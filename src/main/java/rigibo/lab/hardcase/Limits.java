@@ -1,7 +1,7 @@
 package rigibo.lab.hardcase;
 
 /**
- * What a figure may be at most, by preset.
+ * The limits of a figure, by preset.
  *
  * @param draft of DRAFT, where the case holds it to limits of its own
  * @param game of GAME
@@ -10,10 +10,10 @@ package rigibo.lab.hardcase;
  */
 record Limits(double draft, double game, double fine, double exact) {
 
-    /** A figure that is told and not judged. */
+    /** No limits: the figure is only reported. */
     static final Limits NONE = same(Double.POSITIVE_INFINITY);
 
-    /** FINE is held to the limit of GAME. */
+    /** Limits for DRAFT, for GAME and FINE, and for EXACT. */
     Limits(double draft, double game, double exact) {
         this(draft, game, game, exact);
     }
@@ -23,7 +23,7 @@ record Limits(double draft, double game, double fine, double exact) {
         return new Limits(most, most, most);
     }
 
-    /** DRAFT is held to the limit of GAME, if to any. */
+    /** Limits for the presets up to FINE, and for EXACT. */
     static Limits of(double game, double exact) {
         return new Limits(game, game, exact);
     }

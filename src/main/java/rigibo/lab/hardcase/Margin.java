@@ -1,7 +1,7 @@
 package rigibo.lab.hardcase;
 
 /**
- * How a case came out at a preset, in short.
+ * The worst figure of a case at a preset.
  *
  * @param row the case's number in the catalogue of hard cases
  * @param preset how exactly it was run

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** How many times over each case keeps its limit at each preset; crosses where it does not. */
+/** A figure of the margins of all cases at all presets, with crosses where a limit is broken. */
 public final class MarginFigure {
 
     private static final int TITLE = 18;
@@ -25,7 +25,7 @@ public final class MarginFigure {
     private static final double RIGHT = 24;
     private static final double RADIUS = 5;
 
-    /** Margins that are drawn: what is beyond is at the edge. */
+    /** The range of margins that is drawn; others are at its edge. */
     private static final double LEAST = 0.003;
 
     private static final double MOST = 1e6;
@@ -45,7 +45,7 @@ public final class MarginFigure {
     private final Map<String, List<Margin>> rows = new LinkedHashMap<>();
     private final List<Margin> margins;
 
-    /** A figure of some margins. */
+    /** A figure of margins. */
     public MarginFigure(List<Margin> margins) {
         this.margins = margins;
         for (Margin margin : margins) {
@@ -53,7 +53,7 @@ public final class MarginFigure {
         }
     }
 
-    /** All of it, so many px wide. */
+    /** Draws the figure with a width in px. */
     public Drawing drawing(double width) {
         Drawing drawing = new Drawing(width);
         drawing.text(
@@ -118,7 +118,7 @@ public final class MarginFigure {
         return String.format(Locale.ROOT, "%.3f", tick).replaceAll("\\.?0+$", "");
     }
 
-    /** What it shows, in words. */
+    /** Sentences that describe the figure. */
     public List<String> sentences() {
         long passed = margins.stream().filter(Margin::passes).count();
         List<String> sentences = new ArrayList<>();

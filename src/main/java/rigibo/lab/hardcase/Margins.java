@@ -10,9 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 
-/**
- * How far cases are from their limits. Every run is kept: an interrupted report goes on with it.
- */
+/** The margins of cases. Every run is logged, so that an interrupted report continues. */
 public final class Margins {
 
     private static final String LOG = "cases.log";
@@ -25,7 +23,7 @@ public final class Margins {
         this.kept = kept;
     }
 
-    /** Of some cases, kept in a directory. */
+    /** The margins of some cases, logged in a directory. */
     public static Margins of(Cases cases, Path directory) {
         String engine = ClassFiles.of(Pool.class).hash();
         String key = engine + "-" + ClassFiles.of(HardCase.class).hash();

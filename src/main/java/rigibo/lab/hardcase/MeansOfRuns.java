@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 
 /**
- * Where and how fast the bodies of a scene are on average, as it goes on.
+ * Mean places and speeds of the bodies in a scene.
  *
  * @param spread mean distance from the middle of all bodies at the end, along x, m
  * @param height mean height at the end, m
@@ -23,7 +23,7 @@ import java.util.function.ToDoubleFunction;
 record MeansOfRuns(double spread, double height, double slope, double energy) {
 
     /**
-     * Lets a scene go.
+     * Simulates a scene.
      *
      * @param parts of a step of the game in which it is simulated
      */

@@ -19,8 +19,8 @@ public record Measure(String name, double figure, double limit, String unit, Str
     }
 
     /**
-     * How many times the figure fits into its limit: at least 1 for what passes, infinite where
-     * nothing was to be seen or the figure is only reported.
+     * The limit over the figure: at least 1 if it passes, infinite if the figure is 0 or has no
+     * limit.
      */
     public double margin() {
         if (Double.isNaN(figure)) {
@@ -29,12 +29,12 @@ public record Measure(String name, double figure, double limit, String unit, Str
         return figure <= 0 || isReported() ? Double.POSITIVE_INFINITY : limit / figure;
     }
 
-    /** Whether the figure has no limit and is only told. */
+    /** Whether the figure has no limit. */
     public boolean isReported() {
         return limit == Double.POSITIVE_INFINITY;
     }
 
-    /** Which of two values of the same measure is worse. */
+    /** The worse of two values of the same measure. */
     Measure worse(Measure other) {
         return other.figure > figure || Double.isNaN(other.figure) ? other : this;
     }

@@ -11,7 +11,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** How deep bodies overlap, apart from the engine's own measure. */
+/** Measures how deep bodies overlap, without the engine. */
 final class Overlap {
 
     private final List<RigidBody> known = new ArrayList<>();
@@ -19,7 +19,10 @@ final class Overlap {
     private final Map<Outline, RigidBody> bodyOf = new IdentityHashMap<>();
     private OutlineSweep sweep = sweep();
 
-    /** Deepest overlap of all pairs as a share of the smaller width of the two, 0 without any. */
+    /**
+     * The deepest overlap of all pairs, as a share of the smaller of the two widths; 0 if there is
+     * none.
+     */
     double deepestShare(List<RigidBody> bodies) {
         if (!isKnown(bodies)) {
             learn(bodies);

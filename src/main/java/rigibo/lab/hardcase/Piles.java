@@ -14,15 +14,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
 
-/** Piles that are put elsewhere, or into motion as a whole, where they must fare the same. */
+/** Piles that are moved elsewhere or carried along as a whole, where they must behave the same. */
 final class Piles {
 
-    /** s after which a small heap lies. */
+    /** The time after which a small heap is at rest, s. */
     private static final double SETTLED = 12;
 
     private Piles() {}
 
-    /** One that stands, one that falls together, one that has fallen. */
+    /** A pyramid that stands, one that settles, and a heap that has fallen. */
     static Map<String, Scene> some(Sampling sampling) {
         long seed = sampling.random(0).nextLong();
         Map<String, Scene> piles = new LinkedHashMap<>();
@@ -33,7 +33,7 @@ final class Piles {
         return piles;
     }
 
-    /** A crowd where it lies in the end, at rest. */
+    /** A crowd where it comes to rest. */
     static List<BodyDefinition> settled(List<BodyDefinition> bodies) {
         Pool pool = new Pool(Crowd.EFFECTS, Preset.GAME.accuracy());
         List<RigidBody> heap = bodies.stream().map(pool::add).toList();
@@ -48,12 +48,12 @@ final class Piles {
         return lying;
     }
 
-    /** The pile so many m to the right. */
+    /** A pile moved to the right by a distance in m. */
     static Scene shifted(Scene scene, double x) {
         return each(scene, body -> body.at(body.x() + x, body.y()));
     }
 
-    /** The pile, and all it rests on, moving to the right at so many m/s. */
+    /** A pile and all that carries it, moving to the right at a speed in m/s. */
     static Scene moving(Scene scene, double speed) {
         return each(scene, body -> carrier(body).velocity(speed, 0));
     }

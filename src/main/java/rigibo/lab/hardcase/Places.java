@@ -4,21 +4,21 @@ import rigibo.backend.RigidBody;
 
 import java.util.List;
 
-/** Where some bodies were. */
+/** The former places of some bodies. */
 final class Places {
 
     private final List<RigidBody> bodies;
     private final double[] x;
     private final double[] y;
 
-    /** Where they are now. */
+    /** Records the present places. */
     Places(List<RigidBody> bodies) {
         this.bodies = bodies;
         x = bodies.stream().mapToDouble(RigidBody::x).toArray();
         y = bodies.stream().mapToDouble(RigidBody::y).toArray();
     }
 
-    /** The greatest difference of two numbers that have the same index. */
+    /** The largest difference between numbers of equal index. */
     static double farthestApart(double[] some, double[] others) {
         double most = 0;
         for (int i = 0; i < some.length; i++) {
@@ -27,7 +27,7 @@ final class Places {
         return most;
     }
 
-    /** How far the one that has moved farthest since is from where it was, m. */
+    /** The largest distance of a body from its recorded place, m. */
     double farthest() {
         double most = 0;
         for (int i = 0; i < x.length; i++) {

@@ -2,7 +2,7 @@ package rigibo.lab.hardcase;
 
 import rigibo.backend.setup.Accuracy;
 
-/** The named choices of accuracy, from the fastest to the most exact. */
+/** The presets of accuracy, from the fastest to the most exact. */
 public enum Preset {
     DRAFT(Accuracy.DRAFT),
     GAME(Accuracy.GAME),

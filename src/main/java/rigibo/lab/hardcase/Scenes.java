@@ -1,9 +1,9 @@
 package rigibo.lab.hardcase;
 
-/** What a case simulates; the class that does derives the case's truth. */
+/** The scenes of a case; the implementing class derives the case's truth. */
 @FunctionalInterface
 public interface Scenes {
 
-    /** Simulates every variant of the case and hands each figure to the trial. */
+    /** Simulates every variant of the case and records its figures in the trial. */
     void run(Trial trial);
 }

@@ -9,7 +9,7 @@ import rigibo.lab.engine.World;
 
 import java.util.List;
 
-/** A scene of the bench in a watched pool, where it may overlap as deep as its case allows. */
+/** A scene of the bench in a watched pool, with the case's own limit of overlap. */
 final class StagedScene {
 
     private final Scene scene;
@@ -42,14 +42,14 @@ final class StagedScene {
         return bodies().stream().filter(body -> body.type() == BodyType.DYNAMIC).toList();
     }
 
-    /** Drives what is driven and makes a step of the game's length. */
+    /** Moves driven bodies and makes a step of the game's length. */
     void step() {
         scene.driver().drive(world, made);
         pool.step();
         made++;
     }
 
-    /** Steps until so much time has passed in all. */
+    /** Makes steps up to a time in s. */
     void runUntil(double seconds) {
         long steps = Math.round(seconds / Trial.DT);
         while (made < steps) {

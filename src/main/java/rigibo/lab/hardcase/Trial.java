@@ -24,19 +24,22 @@ public final class Trial {
     /** L: the overlap tolerated at rest, m, for bodies of one metre. */
     static final double TOLERATED_OVERLAP = 1e-3;
 
-    /** Largest overlap at any time as a share of the smaller body's width. */
+    /** The largest overlap allowed at any time, as a share of the smaller body's width. */
     private static final double MOST_OVERLAP = 0.02;
 
-    /** Momentum that may go astray, as a share of all momentum there is. */
+    /** The error of momentum that is allowed, as a share of the sum of all momenta. */
     private static final double MOST_MOMENTUM_LOST = 1e-9;
 
-    /** Round-off of energies that change from height to motion and back, as a share of them. */
+    /**
+     * The round-off allowed for energies that change from height to motion and back, as a share of
+     * them.
+     */
     private static final double MOST_ENERGY_BEYOND = 1e-9;
 
-    /** A prime, so that the order of hashes counts. */
+    /** A prime factor, so that the order of hashes matters. */
     private static final long HASH_FACTOR = 0x100000001b3L;
 
-    /** Workers of the second run of a case. */
+    /** The number of workers in the second run of a case. */
     static final int SEVERAL = 3;
 
     private final Preset preset;
@@ -51,8 +54,8 @@ public final class Trial {
     private long hash;
 
     /**
-     * A run at a preset of a case whose own figures are limited from another on, with bodies made
-     * of the case's in some way, by a number of workers.
+     * A run at a preset, by a number of workers. The case's own figures have limits from {@code
+     * limitedFrom} on, and {@code made} may replace its bodies.
      */
     Trial(
             Preset preset,
@@ -75,99 +78,100 @@ public final class Trial {
         return workers;
     }
 
-    /** Which variants a case of many is to try. */
+    /** The variants to try of a case that has many. */
     Sampling sampling() {
         return sampling;
     }
 
-    /** The body to take in the place of one of the case's. */
+    /** The body that replaces one of the case's. */
     BodyDefinition made(BodyDefinition body) {
         return made.apply(body);
     }
 
-    /** Names the variant that is tried from now on, for the figures that fail. */
+    /** Names the present variant, for the report of figures that fail. */
     void variant(String words) {
         variant = words;
     }
 
-    /** A pool at this trial's preset, watched from now on. */
+    /** A watched pool at this trial's preset. */
     WatchedPool pool(Effects effects) {
         return new WatchedPool(this, variant, effects);
     }
 
     /**
-     * A pool with weight and without sleep: what only rests because it is put to sleep does not.
+     * A pool with gravity and without sleep, since a scene that rests only because it sleeps does
+     * not rest.
      */
     WatchedPool earth() {
         return pool(Earth.effects());
     }
 
-    /** A pool with weight and a floor of this friction and elasticity, whose surface is y = 0. */
+    /** A pool with gravity and a floor at y = 0 of a friction and elasticity. */
     WatchedPool ground(double friction, double elasticity) {
         WatchedPool pool = earth();
         pool.add(Earth.floor(friction, elasticity));
         return pool;
     }
 
-    /** A pool without weight. */
+    /** A pool without gravity. */
     WatchedPool space() {
         return pool(Earth.space());
     }
 
-    /** A pool of joints with weight. */
+    /** A pool with joints and gravity. */
     WatchedPool jointedEarth() {
         return pool(Earth.effects().with(new Joints()));
     }
 
-    /** A pool of joints without weight. */
+    /** A pool with joints and without gravity. */
     WatchedPool jointedSpace() {
         return pool(Earth.space().with(new Joints()));
     }
 
-    /** Keeps a figure with a limit for EXACT and one for all others that are held to one. */
+    /** Records a figure with a limit for EXACT and one for the other presets that have limits. */
     void measure(String name, double figure, String unit, double exact, double game) {
         measure(name, figure, unit, Limits.of(game, exact));
     }
 
-    /** Keeps a figure with limits by preset, for all that are held to one. */
+    /** Records a figure with limits by preset. */
     void measure(String name, double figure, String unit, Limits limits) {
         boolean isReported = preset.compareTo(limitedFrom) < 0;
         double held = isReported ? Double.POSITIVE_INFINITY : limits.of(preset);
         keep(measures, name, figure, unit, held, variant);
     }
 
-    /** Keeps a figure with the same limit for all presets that are held to one. */
+    /** Records a figure with one limit for all presets that have limits. */
     void measure(String name, double figure, String unit, double limit) {
         measure(name, figure, unit, limit, limit);
     }
 
-    /** Keeps by which share a value is off its truth, with a limit for EXACT and one for others. */
+    /** Records the relative error of a value, with a limit for EXACT and one for other presets. */
     void relativeError(
             String name, double value, double truth, String unit, double exact, double game) {
         relativeError(name, value, truth, unit, Limits.of(game, exact));
     }
 
-    /** Keeps by which share a value is off its truth, with limits by preset. */
+    /** Records the relative error of a value, with limits by preset. */
     void relativeError(String name, double value, double truth, String unit, Limits limits) {
         measure(name, Math.abs(value / truth - 1), unit, limits);
     }
 
-    /** Keeps by which share a value is off its truth, with the same limit for all presets. */
+    /** Records the relative error of a value, with one limit for all presets. */
     void relativeError(String name, double value, double truth, String unit, double limit) {
         relativeError(name, value, truth, unit, limit, limit);
     }
 
-    /** Keeps a figure that has no limit. */
+    /** Records a figure without a limit. */
     void report(String name, double figure, String unit) {
         measure(name, figure, unit, Double.POSITIVE_INFINITY);
     }
 
-    /** Counts a statement that does not hold; none may fail. */
+    /** Records whether a statement holds, as it must at all presets that have limits. */
     void require(String statement, boolean holds) {
         measure(statement, holds ? 0 : 1, "broken", 0);
     }
 
-    /** Counts a statement that holds for every preset, DRAFT included. */
+    /** Records whether a statement holds, as it must at every preset, DRAFT included. */
     void requireAlways(String statement, boolean holds) {
         keep(invariants, statement, holds ? 0 : 1, "broken", 0, variant);
     }
@@ -198,7 +202,7 @@ public final class Trial {
         hash = hash * HASH_FACTOR + stateHash;
     }
 
-    /** Of all states so far, and of their order. */
+    /** A hash of all states so far and of their order. */
     long hash() {
         return hash;
     }
@@ -221,7 +225,7 @@ public final class Trial {
         return all;
     }
 
-    /** Adds what a step did to what the case costs. */
+    /** Adds a step to the work of the case. */
     void count(StepReport step) {
         work = work.plus(step);
     }

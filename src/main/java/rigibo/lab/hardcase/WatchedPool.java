@@ -30,16 +30,16 @@ import java.util.List;
 import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 
-/** A pool whose every step is held to what is true in every case. */
+/** A pool whose every step is checked against the laws that hold in every case. */
 final class WatchedPool {
 
-    /** Bodies up to which the state is hashed after every step. */
+    /** The most bodies of a pool whose state is hashed after every step. */
     private static final int FEW = 8;
 
-    /** Steps between two hashes of a pool of many bodies. */
+    /** The number of steps between two hashes of a larger pool. */
     private static final int STEPS_PER_HASH = 16;
 
-    /** Effects that put energy in, or keep some that the books do not know. */
+    /** Effects that add energy, or store some that is not counted here. */
     private static final List<Class<? extends Effect>> FROM_OUTSIDE =
             List.of(
                     Thrust.class,
@@ -93,35 +93,35 @@ final class WatchedPool {
         return pool.join(definition);
     }
 
-    /** Something fixed to hang other things on, which meets nobody. */
+    /** A fixed body to hang others on, which collides with nothing. */
     RigidBody hook(double x, double y) {
         return add(BodyDefinition.fixed(new Circle(0.01)).at(x, y).filter(Filter.ALL.mask(0)));
     }
 
-    /** Boxes of 1 m on each other, the lowest on the floor, from there upwards. */
+    /** A stack of boxes of 1 m on the floor, the lowest first. */
     List<RigidBody> stack(int count) {
         return IntStream.range(0, count)
                 .mapToObj(i -> add(Solid.box(1, 1).at(0, i + 0.5)))
                 .toList();
     }
 
-    /** For scenes whose limit of energy is their own, as that of a swing. */
+    /** Turns the check of energy off, for scenes with their own limit, such as that of a swing. */
     WatchedPool withEnergyOfItsOwn() {
         isEnergyKept = false;
         return this;
     }
 
-    /** Most that the joints are off from what they hold now, m. */
+    /** The largest present error of a joint, m. */
     double jointError() {
         return pool.joints().stream().mapToDouble(Joint::error).max().orElse(0);
     }
 
-    /** Keeps by how much all joints are off now. */
+    /** Records the largest present error of a joint. */
     void measureJoints() {
         trial.measure("error of joints", jointError(), "m", JointLimits.ERROR);
     }
 
-    /** Of motion, height and springs, J. */
+    /** The energy of motion, height and springs, J. */
     double energy() {
         return pool.kineticEnergy() + pool.potentialEnergy() + springs();
     }
@@ -130,21 +130,23 @@ final class WatchedPool {
         return pool.joints().stream().mapToDouble(Joint::energy).sum();
     }
 
-    /** For scenes that begin in overlap or are crushed: how deep is not judged at every step. */
+    /**
+     * Turns the checks of overlap and energy off, for scenes that begin in overlap or are crushed.
+     */
     WatchedPool allowingOverlap() {
         mayOverlap = true;
         isEnergyKept = false;
         return this;
     }
 
-    /** For scenes whose limit of overlap is their own. */
+    /** Turns the check of overlap off, for scenes with their own limit. */
     WatchedPool withOverlapOfItsOwn() {
         mayOverlap = true;
         return this;
     }
 
     /**
-     * Has the energy held to that of the start and to what driven bodies do.
+     * Checks the energy against that of the start plus the work of driven bodies.
      *
      * @param work of the last step, J, asked after each
      */
@@ -153,7 +155,7 @@ final class WatchedPool {
         isWorkKnown = true;
     }
 
-    /** Fastest dynamic body now, m/s. */
+    /** The present speed of the fastest dynamic body, m/s. */
     double fastest() {
         double fastest = 0;
         for (RigidBody body : pool.bodies()) {
@@ -164,7 +166,7 @@ final class WatchedPool {
         return fastest;
     }
 
-    /** After something was changed from outside, the books begin anew. */
+    /** Restarts the balances, after a change from outside. */
     void changed() {
         balance.restart();
         guard = null;
@@ -196,7 +198,7 @@ final class WatchedPool {
         return report;
     }
 
-    /** Steps of the game's length until so much time has passed. */
+    /** Makes steps of the game's length for a time in s. */
     void run(double seconds) {
         long count = Math.round(seconds / Trial.DT);
         for (long i = 0; i < count; i++) {
@@ -212,22 +214,25 @@ final class WatchedPool {
         return pool.time();
     }
 
-    /** Bytes that the engine has allocated in all steps up to now. */
+    /** The bytes that the engine has allocated in all steps so far. */
     long allocated() {
         return allocated;
     }
 
-    /** Deepest overlap now as a share of the smaller body's width, by our own measure. */
+    /**
+     * The deepest present overlap as a share of the smaller body's width, measured without the
+     * engine.
+     */
     double overlapNow() {
         return overlap.deepestShare(pool.bodies());
     }
 
-    /** Deepest overlap seen at any step, as a share of the smaller body's width. */
+    /** The deepest overlap after any step so far, as a share of the smaller body's width. */
     double deepestShare() {
         return deepestShare;
     }
 
-    /** Normal impulse between two bodies in the last step, N·s. */
+    /** The normal impulse between two bodies in the last step, N·s. */
     double impulseBetween(RigidBody one, RigidBody other) {
         double sum = 0;
         for (ContactEvent event : pool.contactEvents()) {
