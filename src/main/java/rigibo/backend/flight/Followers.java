@@ -16,8 +16,8 @@ import java.util.Arrays;
  * that moves on, would go into it.
  *
  * <p>As the step begins, what may lead a body off is handed on from contact to contact ({@link
- * Ways}). A flyer that such a body would get into joins its pile, and other bodies of piles within
- * its reach get a contact with it.
+ * Ways}). Joints lead bodies off, too ({@link Sway}). A flyer that such a body would get into joins
+ * its pile, and other bodies of piles within its reach get a contact with it.
  */
 final class Followers {
 
@@ -37,6 +37,7 @@ final class Followers {
     private final ExpectedHits hits;
     private final Disturbance.Joining joining;
     private final Ways ways;
+    private final Sway sway;
 
     /** Depth in widths from which on a flyer joins. */
     private final double shareThatShows;
@@ -57,6 +58,7 @@ final class Followers {
         this.bystanders = bystanders;
         this.hits = hits;
         this.joining = joining;
+        sway = new Sway(data);
         shareThatShows = SHARE * bystanders.allowance();
         ways = new Ways(data, LEAST * shareThatShows, KeptOverlap.ifCalm(true, accuracy));
     }
@@ -68,6 +70,11 @@ final class Followers {
         for (int i = 0; i < count; i++) {
             add(pairs.active[i], dt);
         }
+        for (int i = 0; i < count; i++) {
+            int pair = pairs.active[i];
+            joinIfSwayed(pair, pairs.bodyA[pair], dt);
+            joinIfSwayed(pair, pairs.bodyB[pair], dt);
+        }
         int known;
         do {
             known = ways.contacts();
@@ -78,7 +85,20 @@ final class Followers {
         } while (ways.contacts() > known);
     }
 
+    /** Joins the two of a pair if one of them is a body of a pile that joints may lead to it. */
+    private void joinIfSwayed(int pair, int slot, double dt) {
+        boolean isMet = pairs.points[pair] > 0 && !paths.isFlyer(pairs.other(pair, slot));
+        if (isMet || !ways.mayMove(slot) || paths.isFlyer(slot)) {
+            return;
+        }
+        double reach = sway.reach(slot, dt);
+        if (reach > shareThatShows * bodies.smallestWidth[slot]) {
+            look(pair, slot, reach, dt);
+        }
+    }
+
     private void begin() {
+        sway.begin();
         if (searched.length < bodies.type.length) {
             searched = new double[bodies.type.length];
         }
@@ -107,15 +127,20 @@ final class Followers {
         searched[slot] = reach;
         bystanders.lookAlong(slot, dt, reach);
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-            int other = pairs.other(p, slot);
-            if (!ways.mayMove(other)) {
-                continue;
-            }
-            if (paths.isFlyer(other)) {
-                joinIfMet(p, slot, reach, dt);
-            } else if (pairs.points[p] == 0 && bystanders.isWithinReach(p, reach, 0, dt)) {
-                ways.add(p, dt);
-            }
+            look(p, slot, reach, dt);
+        }
+    }
+
+    /** Joins the two of a pair if one of them, of a pile, may get to the other by its reach, m. */
+    private void look(int pair, int slot, double reach, double dt) {
+        int other = pairs.other(pair, slot);
+        if (!ways.mayMove(other)) {
+            return;
+        }
+        if (paths.isFlyer(other)) {
+            joinIfMet(pair, slot, reach, dt);
+        } else if (pairs.points[pair] == 0 && bystanders.isWithinReach(pair, reach, 0, dt)) {
+            ways.add(pair, dt);
         }
     }
 
@@ -126,7 +151,7 @@ final class Followers {
         if (!bystanders.isWithinReach(pair, reach, 0, dt)) {
             return;
         }
-        double led = ledTo(pair, slot);
+        double led = Math.max(ledTo(pair, slot), sway.reach(slot, dt));
         double depth = ways.closing(pair, dt) + falls(pair, flyer, dt) + led;
         if (!shows(pair, Math.min(led, depth))) {
             pairs.points[pair] = points;

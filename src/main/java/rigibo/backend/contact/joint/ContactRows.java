@@ -21,6 +21,12 @@ import rigibo.backend.storage.KeptOverlap;
 /** The packed contacts of an island as neutral rows, and their impulses back. */
 final class ContactRows {
 
+    /**
+     * Speed that the load of a contact would give its bodies if they were free, as a multiple of
+     * what moves bodies, from which on it is a stress between rows that contradict each other.
+     */
+    private static final double STRAINED = 1e4;
+
     private final Motions motions;
     private final PackedContacts contacts;
     private final NeutralRows rows;
@@ -99,6 +105,36 @@ final class ContactRows {
             rows.derive(row, contacts.bodyB[contact], 0, 0, 1);
             bind(row, d[at + ROLLING], first, loads);
         }
+    }
+
+    /**
+     * Whether any contact carries more than what moves bodies explains: the speed of the fastest
+     * one, m/s, springs and motors.
+     */
+    boolean areStrained(double fastest) {
+        double most = STRAINED * Math.max(fastest, strongestDrive());
+        boolean areStrained = false;
+        for (int row = 0; !areStrained && row < rows.count; row++) {
+            areStrained = rows.isPoint(row) && speedOf(row) > most;
+        }
+        return areStrained;
+    }
+
+    /** The greatest speed that a spring, motor or limit would give its bodies, m/s. */
+    private double strongestDrive() {
+        double most = 0;
+        for (int row = 0; row < rows.count; row++) {
+            boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
+            if (isOfJoint && (rows.give[row] > 0 || !rows.isEquation(row))) {
+                most = Math.max(most, speedOf(row));
+            }
+        }
+        return most;
+    }
+
+    /** The speed that the impulse of a row alone would give its bodies, m/s. */
+    private double speedOf(int row) {
+        return Math.abs(rows.inMetres(row, rows.impulse[row])) * rows.response[row];
     }
 
     private int begin(int contact, int column) {

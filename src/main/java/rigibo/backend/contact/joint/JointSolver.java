@@ -28,6 +28,12 @@ public final class JointSolver {
     private static final double SETTLED = 1e-3;
 
     /**
+     * What friction gives way by where rows have no answer otherwise, as shares of its response:
+     * the second where the first is not enough.
+     */
+    private static final double[] GIVES_WAY = {1e-3, 0.1};
+
+    /**
      * Share of that where bodies hardly move before a kick, by at most so many times less than
      * after it: what rows give way by adds up along a chain, and would keep it from resting.
      */
@@ -377,8 +383,7 @@ public final class JointSolver {
         contactRows.write(h, substep);
         double settled = settled(fastest);
         work.begin();
-        solver.beginAsBefore(packed, share);
-        boolean isSolved = solver.solve(settled);
+        boolean isSolved = solveRows(settled, fastest);
         if (needed.isTaut()) {
             // Kicks along the rows of the start would tremble against what inertia has answered.
             places.leave();
@@ -386,11 +391,36 @@ public final class JointSolver {
             places.hold(h, settled, contactRows.carry(), budget.isSmall());
         }
         boolean isGained = allowed.isExceeded(places.areHeld(), noise);
-        if (isGained && !contactRows.carry()) {
+        if (isGained && !contactRows.carry() || areStrained(fastest)) {
             places.release();
         }
         secure(isSolved, isGained, settled);
         finish();
+    }
+
+    /**
+     * Solves the rows; whether that could be done. A load and the friction that it makes may hold a
+     * body from both sides, as a wedge is held: rows that ask for speeds which differ by the least
+     * then have no answer, or carry any stress. Their friction gives way a little.
+     */
+    private boolean solveRows(double settled, double fastest) {
+        solver.beginAsBefore(packed, share);
+        boolean isSolved = solver.solve(settled) && !areStrained(fastest);
+        for (int i = 0; i < GIVES_WAY.length && !isSolved && mayGiveWay(); i++) {
+            work.takeBack();
+            solver.beginSoftened(packed, share, GIVES_WAY[i]);
+            isSolved = solver.solve(settled) && !areStrained(fastest);
+        }
+        return isSolved;
+    }
+
+    private boolean mayGiveWay() {
+        return contactRows.areAny() && !elimination.isSpent() && !needed.isTaut();
+    }
+
+    /** Whether contacts carry stress; what is taut carries any load without contradiction. */
+    private boolean areStrained(double fastest) {
+        return !needed.isTaut() && contactRows.areStrained(fastest);
     }
 
     /**
@@ -435,8 +465,7 @@ public final class JointSolver {
         contactRows.writeAtRest(h, substep);
         double settled = settled(fastest);
         work.begin();
-        solver.beginAsBefore(packed, share);
-        boolean isSolved = solver.solve(settled);
+        boolean isSolved = solveRows(settled, fastest);
         secure(isSolved, allowed.isExceeded(false, noise), settled);
         finish();
     }

@@ -69,6 +69,11 @@ final class RowSolver {
     /** What rows with bounds give way by for what they carry else than in the kick before. */
     private final double nearness;
 
+    /** By row: target and give as they were written. */
+    private double[] aim = new double[64];
+
+    private double[] give = new double[64];
+
     /** Whether rows are kept near what they carried. */
     private boolean areNear;
 
@@ -112,8 +117,35 @@ final class RowSolver {
      * before, and those at a bound that were at it, as far as a share of what they carried tells.
      */
     void beginAsBefore(PackedJoints packed, double share) {
+        keepAims();
+        begin(packed, share, nearness > 0 && mayBeIndeterminate());
+    }
+
+    /**
+     * Begins anew with rows of which bodies have got nothing, none of them near what it carried
+     * before, and with friction that gives way by a share of its response.
+     */
+    void beginSoftened(PackedJoints packed, double share, double softness) {
+        for (int row = 0; row < rows.count; row++) {
+            boolean isFriction = rows.contact[row] != NeutralRows.NONE && !rows.isPoint(row);
+            rows.target[row] = aim[row];
+            rows.give[row] = isFriction ? softness * rows.response[row] : give[row];
+        }
+        begin(packed, share, false);
+    }
+
+    private void keepAims() {
+        if (aim.length < rows.count) {
+            aim = new double[rows.bodies.length];
+            give = new double[rows.bodies.length];
+        }
+        System.arraycopy(rows.target, 0, aim, 0, rows.count);
+        System.arraycopy(rows.give, 0, give, 0, rows.count);
+    }
+
+    private void begin(PackedJoints packed, double share, boolean isNear) {
         start();
-        areNear = nearness > 0 && mayBeIndeterminate();
+        areNear = isNear;
         for (int i = 0; i < boundedCount; i++) {
             int row = bounded[i];
             boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;

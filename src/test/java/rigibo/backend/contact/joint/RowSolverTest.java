@@ -86,4 +86,44 @@ class RowSolverTest {
         solver.holdEquations();
         assertThat(motions.data[BODY + Motions.VX]).isCloseTo(0, within(1e-12));
     }
+
+    /**
+     * A load with a lever of 0.5 m turns a body to ω = t/0.5, and friction with a lever of 1 m
+     * holds it: a wedge that locks itself, since friction bears twice what the load turns. Nothing
+     * but round-off bounds the stress. Friction that gives way by g to what it carries lets the
+     * body turn at ω = g·f; then load · 0.5 = ω + f.
+     */
+    @ParameterizedTest
+    @CsvSource({"1e-4, 1e-3", "1e-2, 1e-3", "1e-4, 0.1"})
+    void frictionThatGivesWayFreesAWedgeOfStress(double target, double giving) {
+        int load = contact(0.5, target);
+        int friction = contact(1, 0);
+        rows.load[friction] = load;
+        rows.loads[friction] = 1;
+        rows.share[friction] = 1;
+        solver.beginAsBefore(null, 1);
+        solver.solve(1e-9);
+        assertThat(Math.abs(rows.impulse[load])).isGreaterThan(1e4 * target);
+        motions.data[BODY + Motions.SPIN] = 0;
+        rows.impulse[load] = 0;
+        rows.impulse[friction] = 0;
+        solver.beginSoftened(null, 1, giving);
+        boolean isSolved = solver.solve(1e-9);
+        assertThat(isSolved).isTrue();
+        double spin = target / 0.5;
+        double carried = spin / giving;
+        assertThat(motions.data[BODY + Motions.SPIN]).isCloseTo(spin, within(1e-8 * spin));
+        assertThat(-rows.impulse[friction]).isCloseTo(carried, within(1e-6 * carried));
+        assertThat(rows.impulse[load]).isCloseTo((spin + carried) / 0.5, within(1e-6 * carried));
+    }
+
+    private int contact(double lever, double target) {
+        int row = rows.add();
+        rows.contact[row] = 0;
+        rows.derive(row, BODY, 0, 0, lever);
+        rows.target[row] = target;
+        rows.lower[row] = 0;
+        rows.finish(row);
+        return row;
+    }
 }
