@@ -51,34 +51,16 @@ final class CrowdSolver {
     /** Factor on what may be missed by which a contact may sink in before further passes follow. */
     private static final double SUNK = 6;
 
-    /** Newton's steps to where equations hold at the end of a drift. */
-    private static final int MOST_STEPS = 3;
-
-    /** How far a place may be missed, as a share of the joint's arms and of the tolerance. */
-    private static final double MISSED_PLACE = 1e-2;
-
-    /** What an equation may lack, as a share of the strongest of its group and of the tolerance. */
-    private static final double SETTLED = 1e-2;
-
-    /** What a solution may lack before it is refined, as a share of that. */
-    private static final double SOLVED = 1e-4;
-
-    /** Solutions that take back what the first one left, where bodies hardly move. */
-    private static final int REFINEMENTS = 2;
-
-    /** Energy that Newton's steps may add, as a share of that of motion. */
+    /** Energy that may be gained, as a share of that of motion. */
     private static final double GAINED = 1e-4;
 
     private final Motions motions;
     private final NeutralRows rows;
-    private final JointRows jointRows;
-    private final Poses poses;
     private final EquationFactor factor;
     private final EquationList equations;
     private final AssemblyTree tree;
     private final ContactRows contactRows;
-    private final double tolerance;
-
+    private final CrowdEquations held;
     private final BoundedRows bounded;
     private final Responses responses;
     private final CrowdPlaces places;
@@ -87,19 +69,11 @@ final class CrowdSolver {
     /** By group whether other equations hold in it. */
     private boolean[] isOther = new boolean[16];
 
-    /** Velocities before a kick's impulses, and before the equations hold, as the motions. */
+    /** Velocities before a kick's impulses, as the motions. */
     private double[] free = new double[64];
-
-    private double[] before = new double[64];
 
     /** By row: its speed before impulses, m/s. */
     private double[] freeSpeed = new double[64];
-
-    /** What an equation may lack, as a share of the strongest of its group. */
-    private final double settled;
-
-    /** What it may lack in this kick; less if bodies of a large group hardly moved before it. */
-    private double left;
 
     private double freeEnergy;
     private int usualPasses;
@@ -123,20 +97,16 @@ final class CrowdSolver {
             Accuracy accuracy) {
         this.motions = motions;
         this.rows = rows;
-        this.jointRows = jointRows;
-        this.poses = poses;
         this.contactRows = contactRows;
-        tolerance = accuracy.impactTolerance();
         factor = new EquationFactor(motions, rows);
         equations = factor.equations();
         tree = factor.tree();
-        settled = SETTLED * tolerance;
         shorter = Math.min(1, accuracy.substeps() / (double) Accuracy.GAME.substeps());
         sunk = SUNK * MissedWidth.of(accuracy);
+        held = new CrowdEquations(motions, rows, jointRows, poses, factor, accuracy);
         responses = new Responses(data.bodies, motions, rows, factor);
         bounded = new BoundedRows(rows, jointRows, contactRows, packed, equations, responses);
-        double seen = MISSED_PLACE * tolerance;
-        places = new CrowdPlaces(rows, jointRows, factor, bounded, responses, seen);
+        places = new CrowdPlaces(rows, jointRows, factor, bounded, responses, held.missedPlace());
         overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
     }
 
@@ -177,7 +147,6 @@ final class CrowdSolver {
         int length = motions.count * Motions.STRIDE;
         if (free.length < length) {
             free = new double[motions.data.length];
-            before = new double[motions.data.length];
             isOther = new boolean[motions.slots.length];
         }
         System.arraycopy(motions.data, 0, free, 0, length);
@@ -199,7 +168,7 @@ final class CrowdSolver {
      */
     void solve(double h, int substep, double before, double fastest, double noise, double finer) {
         double quiet = shorter * Math.max(QUIET * fastest, QUIET_IN_MOTION * before);
-        left = (responses.areAnyLarge() ? finer : 1) * settled;
+        held.begin(responses.areAnyLarge() ? finer : 1);
         contactRows.write(h, substep);
         warm();
         bounded.addContacts();
@@ -295,8 +264,8 @@ final class CrowdSolver {
             for (int group = 0; group < tree.groups; group++) {
                 if (isOther[group]) {
                     factor.change(group);
-                    ask(group);
-                    settle(group, false);
+                    held.ask(group);
+                    held.settle(group, false);
                 }
             }
         }
@@ -315,114 +284,19 @@ final class CrowdSolver {
             }
         }
         for (int group = 0; group < tree.groups; group++) {
-            if (ask(group) > left * strongest(group)) {
-                settle(group, anew);
-            }
-        }
-    }
-
-    private void settle(int group, boolean anew) {
-        if (anew) {
-            takeBack(group);
-            ask(group);
-        }
-        pushAnswers(group);
-        int refinements = left < settled ? REFINEMENTS : 1;
-        for (int i = 0; i < refinements && ask(group) > SOLVED * left * strongest(group); i++) {
-            pushAnswers(group);
-        }
-    }
-
-    /** The strongest speed that impulses of a group's equations give their rows, m/s. */
-    private double strongest(int group) {
-        double most = 0;
-        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
-            int row = equations.row[tree.equationOf[i]];
-            if (row != EquationList.NONE) {
-                most = Math.max(most, rows.inMetres(row, rows.impulse[row]) * rows.response[row]);
-            }
-        }
-        return most;
-    }
-
-    private void takeBack(int group) {
-        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
-            int row = equations.row[tree.equationOf[i]];
-            if (row != EquationList.NONE) {
-                rows.push(row, -rows.impulse[row]);
-                rows.impulse[row] = 0;
-            }
-        }
-    }
-
-    /** Asks what holds in a group for what it lacks; the most, m/s. */
-    private double ask(int group) {
-        double most = 0;
-        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
-            int e = tree.equationOf[i];
-            int row = equations.row[e];
-            double lacks = row == EquationList.NONE ? 0 : -rows.residual(row);
-            factor.ask(e, lacks);
-            most = row == EquationList.NONE ? most : Math.max(most, rows.inMetres(row, lacks));
-        }
-        return most;
-    }
-
-    private void pushAnswers(int group) {
-        factor.solve(group);
-        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
-            int e = tree.equationOf[i];
-            if (equations.row[e] != EquationList.NONE) {
-                rows.push(equations.row[e], factor.answer(e));
+            if (held.areOpen(group)) {
+                held.settle(group, anew);
             }
         }
     }
 
     /** Holds the places of equations at the end of a drift of h seconds. */
     void holdPlaces(double h) {
-        double energy = motions.energy(motions.data);
-        int length = motions.count * Motions.STRIDE;
-        System.arraycopy(motions.data, 0, before, 0, length);
-        boolean isAny = true;
-        for (int i = 0; i < MOST_STEPS && isAny; i++) {
-            poses.take(h);
-            jointRows.measureAnew();
-            isAny = false;
-            for (int group = 0; group < tree.groups; group++) {
-                if (askPlaces(group, h) > 1) {
-                    isAny = true;
-                    pushAnswers(group);
-                }
-            }
-        }
-        if (motions.energy(motions.data) > (1 + GAINED) * energy) {
-            // Impulses are those of before but for what changes no body.
-            System.arraycopy(before, 0, motions.data, 0, length);
-        }
+        held.holdPlaces(h);
     }
 
     /** Takes overlap back after a drift of h seconds. */
     void correctOverlap(double h) {
         overlap.correct(h);
-    }
-
-    /** Asks a group for what places would be missed by; the most, as a multiple of what may be. */
-    private double askPlaces(int group, double h) {
-        double worst = 0;
-        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
-            int e = tree.equationOf[i];
-            int row = equations.row[e];
-            if (row == EquationList.NONE) {
-                factor.ask(e, 0);
-            } else if (rows.isEquation(row) && rows.holdsPlace[row]) {
-                double off = jointRows.place(row) - rows.place[row];
-                factor.ask(e, -off / h);
-                double most = MISSED_PLACE * tolerance * jointRows.size();
-                worst = Math.max(worst, rows.inMetres(row, off) / most);
-            } else {
-                factor.ask(e, -rows.residual(row));
-            }
-        }
-        return worst;
     }
 }
