@@ -5,6 +5,10 @@ const show = problem => {
     sentence.hidden = false;
 };
 
+// Nothing can be touched before the first picture.
+const loading = document.getElementById('loading');
+loading.textContent = navigator.language.startsWith('de') ? 'RigiBo lädt …' : 'RigiBo is loading …';
+
 Promise.all([
     TeaVM.wasmGC.load('game.wasm'),
     fetch('files.txt').then(answer => answer.text()),
@@ -13,8 +17,10 @@ Promise.all([
 ]).then(([program, files]) => {
     window.rigiboFiles = files;
     program.exports.main([]);
+    loading.remove();
 }).catch(problem => {
     // Browsers fetch nothing beside a page that was opened as a file.
+    loading.remove();
     show(location.protocol === 'file:'
         ? 'RigiBo plays where a web server serves it: ./rigibo web --serve starts one.'
         : 'This browser lacks WebAssembly with garbage collection or WebGL 2, which RigiBo needs.');

@@ -33,6 +33,9 @@ final class WebProgram {
                 new ProcessBuilder(
                                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                                 "-XX:+UseSerialGC",
+                                // So short a run would not win back what the optimizing compiler
+                                // takes.
+                                "-XX:TieredStopAtLevel=1",
                                 "-Drigibo.home=" + HOME,
                                 "-cp",
                                 classPath,

@@ -4,6 +4,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Enlarged;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
@@ -68,6 +69,7 @@ final class DemoPlates {
 
     private Plate sidePlace = Plate.NONE;
     private boolean isHidden;
+    private boolean areControlsDrawn;
     private boolean wasGhostWanted;
 
     private DemoPlates(
@@ -180,6 +182,7 @@ final class DemoPlates {
             effects.hide();
         }
         controls.place(0, 0, Plate.NONE.width());
+        areControlsDrawn = false;
     }
 
     private void drawOver(Canvas canvas, boolean isPaused) {
@@ -262,6 +265,7 @@ final class DemoPlates {
         controls = panel;
         controls.place(room);
         controls.draw(canvas);
+        areControlsDrawn = true;
     }
 
     /** Where a point, px, is on the canvas of the plates. */
@@ -280,6 +284,7 @@ final class DemoPlates {
     private void drawControls(Canvas canvas, double x, double y, double width) {
         controls.place(x, y, width);
         controls.draw(canvas);
+        areControlsDrawn = true;
     }
 
     private void drawSide(Canvas canvas, double x, double y, double width) {
@@ -289,6 +294,18 @@ final class DemoPlates {
                 side.draw(canvas, fold, x, y, width);
             }
         }
+    }
+
+    /** Tells of all that is drawn and can be used. */
+    void describe(Narrator narrator) {
+        buttons.describe(narrator);
+        Narrator own = inHand.map(canvas -> canvas.telling(narrator)).orElse(narrator);
+        accuracy.describe(own);
+        tabs.describe(own);
+        if (areControlsDrawn) {
+            controls.describe(own);
+        }
+        effects.describe(own);
     }
 
     /** Whether a point lies on a plate. */

@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
@@ -133,6 +134,14 @@ final class DemoScene implements Scene {
         plates.draw(canvas, isPaused, buttons());
         if (!canvas.layout().isInHand()) {
             drawNotes(canvas);
+        }
+    }
+
+    @Override
+    public void describe(Narrator narrator) {
+        plates.describe(narrator);
+        if (isPaused) {
+            narrator.says(director.words().of("badge.paused"));
         }
     }
 

@@ -2,6 +2,8 @@ package rigibo.frontend.demo;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
@@ -68,6 +70,18 @@ final class Tabs {
                 place.y() + place.height() / 2,
                 16,
                 isLit ? Color.DUSK_TOP : Color.TEXT_DIM);
+    }
+
+    /** Tells of them, where they were last drawn. */
+    void describe(Narrator narrator) {
+        places.forEach(
+                (fold, place) ->
+                        narrator.offers(
+                                place.control(
+                                        words.of(fold.key()),
+                                        Control.Kind.of(folds.isOpen(fold)),
+                                        0.5,
+                                        false)));
     }
 
     /** The tab at a point, px. */

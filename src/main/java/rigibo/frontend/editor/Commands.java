@@ -61,7 +61,7 @@ final class Commands {
             case S -> shop.settle();
             case DELETE, BACKSPACE -> desk.remove();
             case TAB -> desk.chooseNext(desk.isHeld(Modifier.SHIFT) ? -1 : 1);
-            case HOME -> View.home(desk.camera(), desk.draft());
+            case HOME -> shop.view().home();
             case Q, LEFT_BRACKET -> desk.turn(angle());
             case E, RIGHT_BRACKET -> desk.turn(-angle());
             case LEFT -> desk.move(new Point(-way(), 0));

@@ -4,6 +4,7 @@ import rigibo.frontend.editor.desk.Finding;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.editor.file.DraftFile;
+import rigibo.frontend.editor.pane.Craft;
 import rigibo.frontend.editor.pane.Pane;
 import rigibo.frontend.editor.pane.Spots;
 import rigibo.frontend.scene.Action;
@@ -12,8 +13,10 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Modifier;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Tap;
 
 import java.util.List;
 import java.util.Optional;
@@ -26,16 +29,25 @@ final class EditorScene implements Scene {
 
     private final Workshop shop;
     private final Commands commands;
+    private final HandPanes hand;
     private final Spots spots = new Spots();
     private double pointerX;
     private double pointerY;
     private boolean isPanning;
+    private boolean isInHand;
 
     /** An editor with a draft on its desk. */
     EditorScene(Director director, DraftFile first) {
         shop = new Workshop(director, first);
         commands = new Commands(shop);
+        hand = new HandPanes(shop, () -> leave(director));
         shop.turn();
+    }
+
+    private void leave(Director director) {
+        if (!escaped()) {
+            director.showMenu();
+        }
     }
 
     /** The present draft. */
@@ -54,6 +66,17 @@ final class EditorScene implements Scene {
     }
 
     @Override
+    public boolean isForHands() {
+        return true;
+    }
+
+    /** The editor is one; a level that is played lies where levels lie. */
+    @Override
+    public boolean isSheet() {
+        return played().isEmpty();
+    }
+
+    @Override
     public void step() {
         played().ifPresent(Scene::step);
         shop.turn();
@@ -66,12 +89,38 @@ final class EditorScene implements Scene {
             played.get().draw(canvas);
             return;
         }
-        spots.clear();
         List<Finding> findings = shop.inspection().findings();
+        isInHand = canvas.layout().isInHand();
+        Pane pane = new Pane(canvas, spots, shop.words(), pointerX, pointerY);
+        shop.desk().finger(canvas.layout().touch().least());
+        if (isInHand) {
+            hand.makeRoom(pane, findings);
+        } else {
+            shop.view().see(View.DRAFT, View.DRAFT);
+        }
+        spots.clear();
         DeskView.draw(canvas, shop.desk(), findings);
         shop.tool().draw(canvas);
-        Pane pane = new Pane(canvas, spots, shop.words(), pointerX, pointerY);
-        Panes.draw(shop, pane, findings);
+        if (isInHand) {
+            hand.draw(pane, findings);
+        } else {
+            Panes.draw(shop, pane, findings);
+        }
+    }
+
+    /** Tells of all buttons and fields, and of what lies on the desk. */
+    @Override
+    public void describe(Narrator narrator) {
+        Optional<Scene> played = played();
+        if (played.isPresent()) {
+            played.get().describe(narrator);
+            return;
+        }
+        spots.describe(narrator);
+        new DeskNames(shop.words(), shop.desk()).describe(narrator, spots);
+        if (!shop.remark().isEmpty()) {
+            narrator.says(shop.remark());
+        }
     }
 
     @Override
@@ -129,9 +178,21 @@ final class EditorScene implements Scene {
         } else if (button == PointerButton.LEFT) {
             shop.typing().end();
             shop.tool().pressed(world(x, y));
+            isPanning = isInHand && shop.craft() == Craft.SELECT && shop.desk().chosen().isEmpty();
         } else {
             isPanning = true;
         }
+    }
+
+    @Override
+    public Tap tap(double x, double y) {
+        return played().map(scene -> scene.tap(x, y))
+                .orElseGet(() -> spots.covers(x, y) ? Tap.LIFTED : Tap.AT_ONCE);
+    }
+
+    @Override
+    public void choosing(boolean isChoosing) {
+        played().ifPresent(scene -> scene.choosing(isChoosing));
     }
 
     @Override
@@ -216,6 +277,6 @@ final class EditorScene implements Scene {
             }
             return true;
         }
-        return commands.escaped();
+        return isInHand && hand.shut() || commands.escaped();
     }
 }

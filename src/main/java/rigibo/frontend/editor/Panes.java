@@ -10,6 +10,7 @@ import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.editor.pane.Bar;
 import rigibo.frontend.editor.pane.EffectPane;
 import rigibo.frontend.editor.pane.FieldPane;
+import rigibo.frontend.editor.pane.Pages;
 import rigibo.frontend.editor.pane.Pane;
 import rigibo.frontend.editor.pane.ProblemPane;
 import rigibo.frontend.editor.pane.Spots;
@@ -63,7 +64,7 @@ final class Panes {
         panes.top();
         ToolPane.draw(
                 pane, View.TOOLS.shortened(panes.risen), shop.desk(), shop.craft(), shop::take);
-        FieldPane.draw(pane, View.FIELDS, shop.desk(), shop.typing());
+        FieldPane.draw(pane, View.FIELDS, shop.desk(), shop.typing(), new Pages());
         panes.problems();
         panes.foot();
         shop.list().ifPresent(list -> list.draw(pane, View.DRAFT.inset(20)));
@@ -127,7 +128,7 @@ final class Panes {
         } else if (told.isPresent()) {
             sentence(line(inner, 1), line(inner, 2), told.get(), Color.TEXT);
         } else {
-            String keys = pane.words().of("editor.keys." + hint());
+            String keys = pane.words().of("editor.keys." + shop.craft().hint());
             sentence(line(inner, 1), line(inner, 2), keys, Color.TEXT_DIM);
         }
     }
@@ -156,18 +157,6 @@ final class Panes {
         } else {
             pane.text(line, shop.remark(), Canvas.Align.LEFT, Color.BRASS);
         }
-    }
-
-    private String hint() {
-        return switch (shop.craft()) {
-            case SELECT -> "select";
-            case BOX, DISC, CAPSULE, BALL -> "draw";
-            case LANDSCAPE -> "landscape";
-            case GLUE -> "glue";
-            case CORNERS -> "corners";
-            case REGULAR -> "regular";
-            case HINGE, WELD, WHEEL, SLIDE, ROD, ROPE, SPRING -> "joint";
-        };
     }
 
     /** The note on the button under the pointer. */

@@ -1,12 +1,13 @@
 package rigibo.frontend.editor;
 
+import rigibo.frontend.editor.desk.Desk;
 import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Scene;
 
-/** The layout of the window, and the initial view of the draft. */
+/** The layout of the window on a desk, and how much of the draft is seen. */
 final class View {
 
     static final Area TOP = new Area(4, 4, 712, 44);
@@ -20,24 +21,59 @@ final class View {
 
     private static final double MARGIN = 8;
 
-    private View() {}
+    private final Desk desk;
+
+    /** The part of the window that is left to the draft, and that with nothing else open. */
+    private Area seen = DRAFT;
+
+    private Area whole = DRAFT;
+
+    /** The view of a desk. */
+    View(Desk desk) {
+        this.desk = desk;
+    }
+
+    /** The part of the window that is left to the draft. */
+    Area seen() {
+        return seen;
+    }
+
+    /** Shows all of the draft. */
+    void home() {
+        seen = whole;
+        home(desk.camera(), desk.draft(), whole);
+    }
+
+    /**
+     * The draft has another part of the window to itself: what was in its middle stays there, or
+     * all of it is shown where the window has another shape.
+     *
+     * @param most of the part when nothing lies over it
+     */
+    void see(Area part, Area most) {
+        if (!most.equals(whole)) {
+            whole = most;
+            home();
+        }
+        desk.camera().pan(part.middleX() - seen.middleX(), part.middleY() - seen.middleY());
+        seen = part;
+    }
 
     static Camera camera(Draft draft) {
         Camera camera = Camera.ofPuzzle();
-        home(camera, draft);
+        home(camera, draft, DRAFT);
         return camera;
     }
 
-    /** A camera that shows the whole world in the middle of that part. */
-    static void home(Camera camera, Draft draft) {
+    /** Shows the whole world in the middle of a part of the window. */
+    private static void home(Camera camera, Draft draft, Area part) {
         double width = Math.max(1, Decimal.read(draft.at("/world/width"), 1));
         double height = Math.max(1, Decimal.read(draft.at("/world/height"), 1));
         double scale =
                 Math.min(
-                        (DRAFT.width() - 2 * MARGIN) / width,
-                        (DRAFT.height() - 2 * MARGIN) / height);
-        double right = (Scene.WIDTH - DRAFT.width()) / 2 - DRAFT.x();
-        double down = DRAFT.y() + DRAFT.height() / 2 - Scene.HEIGHT / 2.0;
+                        (part.width() - 2 * MARGIN) / width, (part.height() - 2 * MARGIN) / height);
+        double right = Scene.WIDTH / 2.0 - part.middleX();
+        double down = part.middleY() - Scene.HEIGHT / 2.0;
         camera.look(width / 2 + right / scale, height / 2 + down / scale, scale);
     }
 }

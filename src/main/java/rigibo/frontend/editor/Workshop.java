@@ -41,6 +41,7 @@ final class Workshop {
 
     private final Director director;
     private final Desk desk;
+    private final View view;
     private final Typing typing = new Typing();
     private final Inspection inspection = new Inspection();
     private final Proving proving = new Proving();
@@ -57,12 +58,17 @@ final class Workshop {
         this.director = director;
         drawer = new Drawer(director.levels(), first);
         desk = new Desk(first.draft(), View.camera(first.draft()));
+        view = new View(desk);
         tool = new SelectTool(desk);
         drawer.trouble().ifPresent(this::trouble);
     }
 
     Desk desk() {
         return desk;
+    }
+
+    View view() {
+        return view;
     }
 
     Typing typing() {
@@ -155,7 +161,7 @@ final class Workshop {
             test = Optional.of(new TestRun(director, level.get()));
             remark = "";
         } else {
-            say("untestable", inspection.errors());
+            sayErrors("untestable", inspection.errors());
         }
     }
 
@@ -187,7 +193,7 @@ final class Workshop {
             proving.start(desk.draft());
             remark = "";
         } else {
-            say("unplayable", inspection.errors());
+            sayErrors("unplayable", inspection.errors());
         }
     }
 
@@ -201,7 +207,7 @@ final class Workshop {
         if (settling.isPresent()) {
             say("settling");
         } else {
-            say("unsettled", loose.errors());
+            sayErrors("unsettled", loose.errors());
         }
     }
 
@@ -280,7 +286,7 @@ final class Workshop {
         drawer.put(desk.draft()).ifPresent(this::trouble);
         drawer.take(other);
         desk.lay(other.draft());
-        View.home(desk.camera(), other.draft());
+        view.home();
         won = Optional.empty();
         list = Optional.empty();
         take(Craft.SELECT);
@@ -300,7 +306,7 @@ final class Workshop {
                             drawer.put(present).ifPresent(this::trouble);
                             drawer.takeUp();
                             desk.lay(left.left().draft());
-                            View.home(desk.camera(), left.left().draft());
+                            view.home();
                         });
     }
 
@@ -350,6 +356,11 @@ final class Workshop {
         director.handOver(DraftFiles.nameOf(desk.draft()), desk.draft().toString());
     }
 
+    /** Asks for a code that was copied elsewhere; it comes by {@link #paste}. */
+    void askForCode() {
+        director.paste();
+    }
+
     /** Opens the level of a code; a text goes to the field that is typed into. */
     void paste(String text) {
         if (typing.isOn()) {
@@ -379,6 +390,10 @@ final class Workshop {
 
     private void trouble(String why) {
         say("trouble", why);
+    }
+
+    private void sayErrors(String key, int errors) {
+        say(key, errors, words().of(desk.isInHand() ? "editor.listed.hand" : "editor.listed"));
     }
 
     private void say(String key, Object... values) {

@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Enlarged;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
@@ -51,6 +52,8 @@ final class ExhibitPlates {
     /** Whether all is said of it in a hand. */
     private boolean isOpen;
 
+    private boolean isInHand;
+
     ExhibitPlates(Found found, Words words) {
         this.found = found;
         this.words = words;
@@ -68,7 +71,8 @@ final class ExhibitPlates {
             boolean isPaused,
             List<HandButtons.Item> items) {
         buttons.clear();
-        if (canvas.layout().isInHand()) {
+        isInHand = canvas.layout().isInHand();
+        if (isInHand) {
             drawInHand(
                     new Enlarged(canvas),
                     pool,
@@ -78,6 +82,18 @@ final class ExhibitPlates {
             drawColumn(canvas, pool, isPaused ? words.of("gallery.paused") : figure);
         } else {
             drawOver(canvas, pool, figure, isPaused);
+        }
+    }
+
+    /** Tells of the buttons of a hand, or of the keys, and of what is shown. */
+    void describe(Narrator narrator, boolean isPaused) {
+        buttons.describe(narrator);
+        narrator.says(titles.about(found));
+        if (!isInHand) {
+            narrator.says(words.of("gallery.keys"));
+        }
+        if (isPaused) {
+            narrator.says(words.of("gallery.paused"));
         }
     }
 

@@ -8,6 +8,7 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
@@ -127,6 +128,11 @@ final class ExhibitScene implements Scene {
         if (!isBare || canvas.layout().isInHand()) {
             plates.draw(canvas, showing.pool(), sketch.figure(), isPaused, buttons());
         }
+    }
+
+    @Override
+    public void describe(Narrator narrator) {
+        plates.describe(narrator, isPaused);
     }
 
     private boolean isInView(Canvas canvas, RigidBody body) {

@@ -2,6 +2,8 @@ package rigibo.frontend.laboratory;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Spread;
@@ -68,6 +70,14 @@ final class ButtonBar {
         Color ink = isChosen ? Color.DUSK_TOP : Color.TEXT;
         double middle = at.y() + at.height() / 2;
         Print.centred(canvas, titles.get(button), at.x() + at.width() / 2, middle, SIZE, ink);
+    }
+
+    /** Tells of the buttons, where they were last drawn. */
+    void describe(Narrator narrator, int chosen) {
+        for (int i = 0; i < places.size(); i++) {
+            Control.Kind kind = i == chosen ? Control.Kind.ON : Control.Kind.BUTTON;
+            narrator.offers(places.get(i).control(titles.get(i), kind, 0.5, false));
+        }
     }
 
     void pointerMoved(double px, double py) {

@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
@@ -157,6 +158,11 @@ final class HalfView {
 
     private static void number(Canvas canvas, String words, double x, double y) {
         canvas.text(words, x, y, SIZE, Canvas.Font.NUMBERS, Canvas.Align.RIGHT, Color.TEXT);
+    }
+
+    /** Tells of its switch. */
+    void describe(Narrator narrator, String which) {
+        narrator.offers(turned.button(words.of(which, name()), false));
     }
 
     void pointerMoved(double px, double py) {

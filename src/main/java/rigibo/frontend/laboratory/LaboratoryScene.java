@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
@@ -187,6 +188,22 @@ final class LaboratoryScene implements Scene {
             drawStatus(canvas, places.status());
         }
         drawDrawer(canvas, places.graph());
+    }
+
+    /** How much dearer one half is changes all the time, and is not said. */
+    @Override
+    public void describe(Narrator narrator) {
+        if (isInHand) {
+            commands.describe(narrator, isPaused ? PAUSE : NO_COMMAND);
+        }
+        bar.describe(narrator, chosen);
+        leftView.describe(narrator, "laboratory.left");
+        rightView.describe(narrator, "laboratory.right");
+        below().describe(narrator, drawer);
+        narrator.says(note());
+        if (isPaused) {
+            narrator.says(words.of("badge.paused"));
+        }
     }
 
     private void drawStatus(Canvas canvas, Plate at) {

@@ -162,6 +162,10 @@ public final class PuzzleScene implements Scene {
     @Override
     public void describe(Narrator narrator) {
         panels.describe(narrator, table.refusal());
+        table.describe(
+                narrator,
+                director.words(),
+                (x, y) -> panels.at(x, y).isPresent() || panels.cover(x, y));
     }
 
     /** The commands that are there at times. */

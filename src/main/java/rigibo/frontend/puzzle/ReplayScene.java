@@ -11,6 +11,7 @@ import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Enlarged;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
@@ -101,6 +102,13 @@ final class ReplayScene implements Scene {
         buttons.draw(enlarged, frame.buttons(), items);
         double end = bar.drawInHand(enlarged, frame.free(), director.words(), game, state());
         drawVerdict(canvas, canvas.layout().isUpright() ? enlarged.outY(end) : 0);
+    }
+
+    @Override
+    public void describe(Narrator narrator) {
+        buttons.describe(narrator);
+        narrator.says(state());
+        screening.verdict().ifPresent(verdict -> narrator.says(verdict.in(director.words())));
     }
 
     private List<HandButtons.Item> items() {

@@ -29,7 +29,13 @@ public final class Enlarged implements Canvas {
         return (outer - whole.top()) / whole.type();
     }
 
-    private double outX(double x) {
+    /** Tells of controls on this canvas in px of the other one. */
+    public Narrator telling(Narrator narrator) {
+        return new EnlargedNarrator(this, narrator);
+    }
+
+    /** Converts an x of this canvas to one of the other, px. */
+    public double outX(double x) {
         return whole.left() + whole.type() * x;
     }
 

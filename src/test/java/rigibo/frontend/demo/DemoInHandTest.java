@@ -7,11 +7,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.RecordingNarrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Tap;
@@ -138,6 +140,32 @@ class DemoInHandTest {
             assertThat(tap(scene, canvas, "controls")).isEqualTo(Tap.LIFTED);
             assertThat(tap(scene, canvas, "pyramid")).isEqualTo(Tap.LIFTED);
             assertThat(tap(scene, canvas, "pyramid's rows")).isEqualTo(Tap.AT_ONCE);
+            scene.closed();
+        }
+    }
+
+    /** Who does not see a demo turns its controls by name. */
+    @Test
+    void whatCanBeUsedHasANameWhereItIs() {
+        for (Layout layout : Legibility.HANDS) {
+            Scene scene = Demos.entries().get(0).open().apply(new RecordingDirector());
+            RecordingCanvas.of(scene, layout);
+            RecordingNarrator.press(scene, RecordingNarrator.of(scene).control("controls"));
+            RecordingCanvas canvas = RecordingCanvas.of(scene, layout);
+            RecordingNarrator told = RecordingNarrator.of(scene);
+            assertThat(told.names()).contains("Menu", "The next one", "accuracy", "pyramid");
+            Control rows =
+                    told.controls().stream()
+                            .filter(it -> it.name().startsWith("pyramid's rows: "))
+                            .findFirst()
+                            .orElseThrow();
+            double[] label = canvas.firstMiddleOf("pyramid's rows");
+            assertThat(rows.kind()).isEqualTo(Control.Kind.SLIDER);
+            assertThat(label[1]).isBetween(rows.y(), rows.y() + rows.height());
+            RecordingNarrator.press(scene, told.control("accuracy"));
+            RecordingCanvas.of(scene, layout);
+            assertThat(RecordingNarrator.of(scene).control("GAME").kind())
+                    .isEqualTo(Control.Kind.ON);
             scene.closed();
         }
     }

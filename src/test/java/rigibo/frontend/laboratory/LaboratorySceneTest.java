@@ -9,12 +9,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.RecordingNarrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Parting;
@@ -79,6 +81,16 @@ class LaboratorySceneTest {
         run(scene, 300);
         assertEqual(scene);
         assertThat(scene.divergence().distance()).isZero();
+    }
+
+    @Test
+    void itsButtonsCanBeUsedByName() {
+        LaboratoryScene scene = open("stack");
+        RecordingCanvas.of(scene);
+        RecordingNarrator told = RecordingNarrator.of(scene);
+        assertThat(told.control("stack").kind()).isEqualTo(Control.Kind.ON);
+        RecordingNarrator.press(scene, told.control("Right half: EXACT"));
+        assertThat(scene.right().preset()).isEqualTo(Preset.DRAFT);
     }
 
     @Test

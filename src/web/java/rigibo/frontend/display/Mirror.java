@@ -22,8 +22,8 @@ import java.util.Set;
  */
 final class Mirror implements Narrator {
 
-    /** Pictures from one look at the scene to the next: a tenth of a second. */
-    private static final int PERIOD = 6;
+    /** From one look at the scene to the next, ns: however slow its pictures are. */
+    private static final long PERIOD = 100_000_000;
 
     /** Sentences that the log keeps, more than a scene says at once: it is read as it grows. */
     private static final int KEPT = 20;
@@ -42,7 +42,7 @@ final class Mirror implements Narrator {
     private Set<String> known = Set.of();
     private Set<String> said = new LinkedHashSet<>();
     private int chosen = NONE;
-    private int pictures;
+    private long looked = -PERIOD;
 
     /** Whether the focus follows the choice, and is not the player's own wish. */
     private boolean isFollowing;
@@ -62,15 +62,17 @@ final class Mirror implements Narrator {
         canvas.setAttribute("aria-label", title);
         known = Set.of();
         chosen = NONE;
-        pictures = 0;
+        looked = -PERIOD;
         tell(title);
     }
 
     /** A picture was drawn of a scene, and of what the page itself offers beside it. */
     void drawn(Scene scene, Layout layout, List<Control> beside) {
-        if (pictures++ % PERIOD != 0) {
+        long now = System.nanoTime();
+        if (now - looked < PERIOD) {
             return;
         }
+        looked = now;
         offered = new ArrayList<>();
         said = new LinkedHashSet<>();
         scene.describe(this);

@@ -140,6 +140,11 @@ public final class PageDisplay implements Director {
         return wanted != null;
     }
 
+    /** Whether what is typed is text. */
+    boolean isTyping() {
+        return scene.isTyping();
+    }
+
     @Override
     public void show(Scene next) {
         wanted = next;

@@ -44,6 +44,7 @@ final class PageInput {
         listen("wheel", this::scrolled);
         listen("contextmenu", Event::preventDefault);
         takeDropped(display::dropped);
+        PageTyping.listen(this::typed, () -> press(GLFW_KEY_ENTER));
         Window.current().addEventListener("keydown", this::keyDown);
         Window.current().addEventListener("keyup", this::keyUp);
         Window.current().addEventListener("paste", event -> display.pasted(pasted(event)));
@@ -155,6 +156,7 @@ final class PageInput {
             look();
             touched = millis(event) / MILLIS;
             finger.lifted();
+            PageTyping.show(display.isTyping());
         } else if (isFirst(mouse)) {
             point(mouse);
             input.mouseButton(button(mouse), GLFW_RELEASE);
@@ -209,6 +211,21 @@ final class PageInput {
             }
             input.modifiers(
                     held(key.isShiftKey(), key.isCtrlKey(), key.isMetaKey()), code, GLFW_RELEASE);
+        }
+    }
+
+    private void typed(int removed, String text) {
+        for (int i = 0; i < removed; i++) {
+            press(GLFW_KEY_BACKSPACE);
+        }
+        text.codePoints().forEach(input::character);
+    }
+
+    /** Presses a key, if anybody types. */
+    private void press(int key) {
+        if (display.isTyping()) {
+            input.key(key, GLFW_PRESS);
+            PageTyping.show(display.isTyping());
         }
     }
 

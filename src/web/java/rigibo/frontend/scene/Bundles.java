@@ -31,18 +31,36 @@ public final class Bundles {
     /** A language's texts, and beneath them those without a language. */
     private static final class Texts extends ResourceBundle {
 
+        private static final char MOST_PLAIN = 0xff;
+
+        /** Makes five hexadecimal digits of a character's four. */
+        private static final int ESCAPE = 0x10000;
+
         private final Properties texts = new Properties();
 
         Texts(Path... files) {
             try {
                 for (Path file : files) {
                     if (Files.exists(file)) {
-                        texts.load(new StringReader(Files.readString(file)));
+                        texts.load(new StringReader(escaped(Files.readString(file))));
                     }
                 }
             } catch (IOException broken) {
                 throw new UncheckedIOException(broken);
             }
+        }
+
+        /** TeaVM's {@link Properties} cut characters to eight bits, but for those of escapes. */
+        private static String escaped(String text) {
+            StringBuilder escaped = new StringBuilder();
+            for (char letter : text.toCharArray()) {
+                if (letter <= MOST_PLAIN) {
+                    escaped.append(letter);
+                } else {
+                    escaped.append("\\u").append(Integer.toHexString(ESCAPE + letter).substring(1));
+                }
+            }
+            return escaped.toString();
         }
 
         @Override

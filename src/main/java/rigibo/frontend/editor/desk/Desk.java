@@ -41,6 +41,7 @@ public final class Desk {
     private Grid grid = Grid.ON;
     private Substance substance = Substance.RIGIBO;
     private Set<Modifier> held = Set.of();
+    private double finger;
 
     /** A desk with a draft, seen through a camera. */
     public Desk(Draft draft, Camera camera) {
@@ -111,6 +112,21 @@ public final class Desk {
     /** Pixels of the screen as a length in the world, m. */
     public double metres(double pixels) {
         return pixels / camera.scale();
+    }
+
+    /** Sets how large what is touched must be, px; 0 for a pointer, which hits what it means. */
+    public void finger(double least) {
+        finger = least;
+    }
+
+    /** Whether fingers hold what lies on the desk. */
+    public boolean isInHand() {
+        return finger > 0;
+    }
+
+    /** How near the pointer must come to something, m: so many px, or half a finger. */
+    public double reach(double pixels) {
+        return metres(Math.max(pixels, finger / 2));
     }
 
     /**

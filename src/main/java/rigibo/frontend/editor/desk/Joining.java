@@ -67,7 +67,7 @@ public final class Joining {
                 Comparator.comparing(held -> !held.joint().pointer().equals(desk.chosen()));
         return topmost().stream()
                 .flatMap(joint -> joint.anchors().stream().map(name -> new Anchor(joint, name)))
-                .filter(held -> distance(held, point) <= desk.metres(REACH))
+                .filter(held -> distance(held, point) <= desk.reach(REACH))
                 .min(unchosenLast.thenComparingDouble(held -> distance(held, point)));
     }
 

@@ -30,9 +30,14 @@ public final class Typing {
         return isOn() && field.equals(name);
     }
 
+    /** What is typed, with a mark behind it where it goes on. */
+    public String text() {
+        return text + "|";
+    }
+
     /** The text that a field shows: what is being typed into it, otherwise its content. */
     public String shown(String name, String held) {
-        return isIn(name) ? text + "|" : held;
+        return isIn(name) ? text() : held;
     }
 
     /** Appends a character. */

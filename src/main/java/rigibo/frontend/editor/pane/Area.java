@@ -1,5 +1,7 @@
 package rigibo.frontend.editor.pane;
 
+import rigibo.frontend.scene.widget.Plate;
+
 /**
  * A rectangle of the window.
  *
@@ -10,21 +12,34 @@ package rigibo.frontend.editor.pane;
  */
 public record Area(double x, double y, double width, double height) {
 
+    /** The place of something. */
+    public static Area of(Plate place) {
+        return new Area(place.x(), place.y(), place.width(), place.height());
+    }
+
     /** Whether a point lies in it, px. */
     public boolean contains(double px, double py) {
         return px >= x && px <= x + width && py >= y && py <= y + height;
     }
 
-    double right() {
+    /** Its right edge, px. */
+    public double right() {
         return x + width;
     }
 
-    double middleX() {
+    /** Its middle from the left, px. */
+    public double middleX() {
         return x + width / 2;
     }
 
-    double middleY() {
+    /** Its middle from above, px. */
+    public double middleY() {
         return y + height / 2;
+    }
+
+    /** Its lower edge, px. */
+    public double bottom() {
+        return y + height;
     }
 
     /** Returns this area with its upper edge so much higher, px. */

@@ -49,6 +49,19 @@ public enum Craft {
                 .findFirst();
     }
 
+    /** What is told of how it is used: the end of a key of the bundles. */
+    public String hint() {
+        return switch (this) {
+            case SELECT -> "select";
+            case BOX, DISC, CAPSULE, BALL -> "draw";
+            case LANDSCAPE -> "landscape";
+            case GLUE -> "glue";
+            case CORNERS -> "corners";
+            case REGULAR -> "regular";
+            case HINGE, WELD, WHEEL, SLIDE, ROD, ROPE, SPRING -> "joint";
+        };
+    }
+
     String key() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -10,7 +10,7 @@ import java.util.List;
 /** The effects as chips, bright where declared; a press declares an effect or removes it. */
 public final class EffectPane {
 
-    private static final double CHIP = 25;
+    private static final double USUAL_CHIP = 25;
     private static final double GAP = 5;
     private static final double TIGHT_GAP = 3;
 
@@ -37,8 +37,9 @@ public final class EffectPane {
     /** Height of the rows that it takes in an area, px; two at least. */
     public static double height(Pane pane, Area area) {
         List<Area> places = places(pane, area);
-        double bottom = places.get(places.size() - 1).y() + CHIP;
-        return Math.max(2 * CHIP + GAP, bottom - area.y());
+        double chip = pane.pressable(USUAL_CHIP);
+        double bottom = places.get(places.size() - 1).y() + chip;
+        return Math.max(2 * chip + GAP, bottom - area.y());
     }
 
     /** Draws it in as many rows as it takes. */
@@ -68,15 +69,16 @@ public final class EffectPane {
 
     private static List<Area> places(Pane pane, Area area, double tightened, double gap) {
         List<Area> places = new ArrayList<>();
+        double chip = pane.pressable(USUAL_CHIP);
         double x = area.x();
         double y = area.y();
         for (String effect : EFFECTS) {
-            double width = pane.width(name(pane, effect)) - tightened;
+            double width = Math.max(pane.pressable(0), pane.width(name(pane, effect)) - tightened);
             if (x + width > area.right()) {
                 x = area.x();
-                y += CHIP + GAP;
+                y += chip + GAP;
             }
-            places.add(new Area(x, y, width, CHIP));
+            places.add(new Area(x, y, width, chip));
             x += width + gap;
         }
         return places;

@@ -12,11 +12,12 @@ public final class FieldPane {
 
     private FieldPane() {}
 
-    /** Draws it. */
-    public static void draw(Pane pane, Area area, Desk desk, Typing typing) {
+    /** Draws the page of it that is open. */
+    public static void draw(Pane pane, Area area, Desk desk, Typing typing, Pages pages) {
         pane.plate(area);
-        Column column = new Column(pane, area.inset(10));
+        Column column = new Column(pane, area.inset(10), pages);
         Fields fields = new Fields(column, pane, desk, typing);
+        pages.about(desk.chosen() + desk.bodyLeaf() + desk.levelLeaf());
         Optional<Item> item = desk.item();
         Optional<JointEntry> joint = desk.joint();
         if (item.isPresent()) {
@@ -26,5 +27,6 @@ public final class FieldPane {
         } else {
             LevelPane.draw(fields);
         }
+        column.foot();
     }
 }

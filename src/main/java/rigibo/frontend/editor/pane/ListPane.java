@@ -8,8 +8,12 @@ import java.util.List;
 /** A list to choose from, above everything else, one page at a time. */
 public final class ListPane {
 
+    /** From one row to the next, and the gap in between, px. */
     private static final double ROW = 34;
+
+    private static final double GAP = 5;
     private static final double FOOT = 40;
+    private static final double BUTTON = 30;
 
     /**
      * A line of the list.
@@ -35,17 +39,21 @@ public final class ListPane {
     public void draw(Pane pane, Area area) {
         pane.plate(area);
         Area inner = area.inset(14);
-        int page = (int) ((inner.height() - ROW - FOOT) / ROW);
-        pane.text(row(inner, 0), heading, Canvas.Align.LEFT, Color.BRASS);
+        double row = pane.pressable(ROW - GAP) + GAP;
+        double button = pane.pressable(BUTTON);
+        int page = (int) ((inner.height() - row - button - (FOOT - BUTTON)) / row);
+        pane.text(row(inner, 0, row), heading, Canvas.Align.LEFT, Color.BRASS);
         for (int i = 0; i < page && first + i < choices.size(); i++) {
             Choice choice = choices.get(first + i);
-            pane.button(row(inner, i + 1), choice.words(), Color.PANEL_LIT, "", choice.action());
+            pane.button(
+                    row(inner, i + 1, row), choice.words(), Color.PANEL_LIT, "", choice.action());
         }
-        foot(pane, new Area(inner.x(), area.y() + area.height() - 44, inner.width(), 30), page);
+        double foot = inner.bottom() - button;
+        foot(pane, new Area(inner.x(), foot, inner.width(), button), page);
     }
 
-    private static Area row(Area inner, int i) {
-        return new Area(inner.x(), inner.y() + i * ROW, inner.width(), ROW - 5);
+    private static Area row(Area inner, int i, double row) {
+        return new Area(inner.x(), inner.y() + i * row, inner.width(), row - GAP);
     }
 
     private void foot(Pane pane, Area area, int page) {

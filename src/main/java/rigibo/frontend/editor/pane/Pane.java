@@ -28,19 +28,30 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
     /** A plate that takes presses off what lies below it. */
     public void plate(Area area) {
         canvas.panel(area.x(), area.y(), area.width(), area.height(), 12, PLATE);
-        spots.add(area, "", () -> {});
+        spots.add(area, "", "", () -> {});
     }
 
     boolean isHot(Area area) {
         return area.contains(pointerX, pointerY);
     }
 
+    /** Height of something to press, px: in a hand, at least that of a finger. */
+    double pressable(double usual) {
+        return canvas.layout().clickable(usual);
+    }
+
     /** A button with its name on it. */
     public void button(Area area, String name, Color plate, String told, Runnable action) {
+        button(area, name, name, plate, told, action);
+    }
+
+    /** A button with a sign on it, which says more to the eye than to the ear. */
+    public void button(
+            Area area, String sign, String name, Color plate, String told, Runnable action) {
         Color lit = isHot(area) ? Color.EDGE : plate;
         canvas.panel(area.x(), area.y(), area.width(), area.height(), CORNER, lit);
         Color ink = lit.equals(Color.BRASS) ? Color.DUSK_TOP : Color.TEXT;
-        String fitting = fitted(name, area.width(), Canvas.Font.WORDS);
+        String fitting = fitted(sign, area.width(), Canvas.Font.WORDS);
         canvas.text(
                 fitting,
                 area.middleX(),
@@ -49,7 +60,7 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,
                 ink);
-        spots.add(area, told, action);
+        spots.add(area, name, told, action);
     }
 
     /** Width of an area that words fit on, px. */
@@ -77,7 +88,7 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
     /**
      * A value in a box of its own. Where it is too long, its end is shown while one types there.
      */
-    void value(Area area, String held, Canvas.Font font, boolean isTyped) {
+    public void value(Area area, String held, Canvas.Font font, boolean isTyped) {
         canvas.panel(area.x(), area.y(), area.width(), area.height(), 5, Color.DUSK_TOP);
         if (isTyped) {
             canvas.frame(area.x(), area.y(), area.width(), area.height(), 5, Color.BRASS);

@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
 /** The problems, one line each; a press selects the item at fault. */
 public final class ProblemPane {
 
-    private static final double ROW = 24;
+    private static final double USUAL_ROW = 24;
     private static final double ICON = 22;
 
     private ProblemPane() {}
@@ -27,7 +27,7 @@ public final class ProblemPane {
             Pane pane, Area area, List<Finding> findings, Consumer<String> choose) {
         pane.plate(area);
         Area inner = area.inset(8);
-        int rows = (int) (inner.height() / ROW) - 1;
+        int rows = (int) (inner.height() / height(pane)) - 1;
         boolean fits = findings.size() <= rows;
         int shown = fits ? findings.size() : rows - 1;
         if (findings.isEmpty()) {
@@ -35,16 +35,16 @@ public final class ProblemPane {
             return Optional.empty();
         }
         String heading = pane.words().of("editor.problems", findings.size());
-        pane.text(row(inner, 0), heading, Canvas.Align.LEFT, Color.BRASS);
+        pane.text(row(pane, inner, 0), heading, Canvas.Align.LEFT, Color.BRASS);
         for (int i = 0; i < shown; i++) {
-            row(pane, row(inner, i + 1), findings.get(i), choose);
+            row(pane, row(pane, inner, i + 1), findings.get(i), choose);
         }
         if (!fits) {
             String more = pane.words().of("editor.more", findings.size() - shown);
-            pane.text(row(inner, rows), more, Canvas.Align.LEFT, Color.TEXT_DIM);
+            pane.text(row(pane, inner, rows), more, Canvas.Align.LEFT, Color.TEXT_DIM);
         }
         return IntStream.range(0, shown)
-                .filter(i -> pane.isHot(row(inner, i + 1)))
+                .filter(i -> pane.isHot(row(pane, inner, i + 1)))
                 .mapToObj(findings::get)
                 .findFirst();
     }
@@ -56,14 +56,25 @@ public final class ProblemPane {
                         pane.words().of("editor.sound"),
                         Pane.TEXT,
                         Canvas.Font.WORDS,
-                        inner.width() - ROW / 2);
+                        inner.width() - USUAL_ROW / 2);
         for (int i = 0; i < lines.size(); i++) {
-            pane.text(row(inner, i), lines.get(i), Canvas.Align.LEFT, Color.GOOD);
+            Area line = new Area(inner.x(), inner.y() + i * USUAL_ROW, inner.width(), USUAL_ROW);
+            pane.text(line, lines.get(i), Canvas.Align.LEFT, Color.GOOD);
         }
     }
 
-    private static Area row(Area inner, int i) {
-        return new Area(inner.x(), inner.y() + i * ROW, inner.width(), ROW);
+    /** Height of a heading and so many problems, px; of two rows at least. */
+    public static double height(Pane pane, int problems) {
+        return Math.max(2, problems + 1) * height(pane);
+    }
+
+    private static double height(Pane pane) {
+        return pane.pressable(USUAL_ROW);
+    }
+
+    private static Area row(Pane pane, Area inner, int i) {
+        double height = height(pane);
+        return new Area(inner.x(), inner.y() + i * height, inner.width(), height);
     }
 
     private static void row(Pane pane, Area row, Finding finding, Consumer<String> choose) {
@@ -71,7 +82,7 @@ public final class ProblemPane {
         Area words = new Area(row.x() + ICON, row.y(), row.width() - ICON, row.height());
         Color ink = pane.isHot(row) ? Color.TEXT : Color.TEXT_DIM;
         pane.text(words, name(pane, finding), Canvas.Align.LEFT, ink);
-        pane.spots().add(row, "", () -> choose.accept(finding.item()));
+        pane.spots().add(row, name(pane, finding), "", () -> choose.accept(finding.item()));
     }
 
     private static String name(Pane pane, Finding finding) {

@@ -1,5 +1,8 @@
 package rigibo.frontend.editor.pane;
 
+import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.Narrator;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -11,10 +14,18 @@ public final class Spots {
      * A place to press.
      *
      * @param area where
+     * @param name what it is called; empty for what only takes presses off what lies below
+     * @param kind whether it is a switch
      * @param words what is told while the pointer is on it; empty for nothing
      * @param action what a press does
      */
-    public record Spot(Area area, String words, Runnable action) {}
+    public record Spot(Area area, String name, Control.Kind kind, String words, Runnable action) {
+
+        private Control control() {
+            return new Control(
+                    name, kind, area.x(), area.y(), area.width(), area.height(), 0.5, false);
+        }
+    }
 
     private final List<Spot> spots = new ArrayList<>();
 
@@ -23,8 +34,30 @@ public final class Spots {
         spots.clear();
     }
 
-    void add(Area area, String words, Runnable action) {
-        spots.add(new Spot(area, words, action));
+    void add(Area area, String name, String words, Runnable action) {
+        add(area, name, Control.Kind.BUTTON, words, action);
+    }
+
+    void add(Area area, String name, Control.Kind kind, String words, Runnable action) {
+        spots.add(new Spot(area, name, kind, words, action));
+    }
+
+    /** Whether something lies there, px. */
+    public boolean covers(double x, double y) {
+        return at(x, y).isPresent();
+    }
+
+    /** Tells of all that have a name and lie above all others in their middle. */
+    public void describe(Narrator narrator) {
+        for (Spot spot : spots) {
+            boolean isSeen =
+                    at(spot.area().middleX(), spot.area().middleY())
+                            .filter(spot::equals)
+                            .isPresent();
+            if (isSeen && !spot.name().isEmpty()) {
+                narrator.offers(spot.control());
+            }
+        }
     }
 
     /** The uppermost spot at a point, px. */

@@ -5,6 +5,9 @@ import rigibo.frontend.puzzle.level.Substance;
 import rigibo.frontend.puzzle.picture.Skins;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.widget.Grid;
+import rigibo.frontend.scene.widget.Plate;
 
 import java.util.function.Consumer;
 
@@ -14,6 +17,7 @@ public final class ToolPane {
     private static final double SIZE = 40;
     private static final double PITCH = 44;
     private static final double SWATCH = 30;
+    private static final double GAP = 4;
 
     /** Tools for bodies, which are more than those for joints beside them. */
     private static final int ROWS = 9;
@@ -21,6 +25,38 @@ public final class ToolPane {
     private static final int SWATCHES = 4;
 
     private ToolPane() {}
+
+    /** As many side by side as there is room for, tools first; each is as large as a finger. */
+    public static void drawInHand(
+            Pane pane, Area area, Desk desk, Craft taken, Consumer<Craft> take) {
+        Grid grid = grid(pane, area);
+        for (Craft craft : Craft.values()) {
+            Area place = Area.of(grid.place(craft.ordinal()));
+            tool(pane, place, craft, craft == taken, () -> take.accept(craft));
+        }
+        int first = first(grid);
+        for (Substance substance : Substance.values()) {
+            swatch(pane, Area.of(grid.place(first + substance.ordinal())), desk, substance);
+        }
+    }
+
+    /** Height of all of it in a hand, in a width, px. */
+    public static double heightInHand(Pane pane, double width) {
+        Grid grid = grid(pane, new Area(0, 0, width, 0));
+        return grid.height(first(grid) + Substance.values().length);
+    }
+
+    private static Grid grid(Pane pane, Area area) {
+        double side = pane.pressable(SIZE);
+        int columns = (int) ((area.width() + GAP) / (side + GAP));
+        return new Grid(new Plate(area.x(), area.y(), side, side), columns, GAP, GAP);
+    }
+
+    /** The first of the materials, which begin with a row of their own. */
+    private static int first(Grid grid) {
+        int tools = Craft.values().length;
+        return (tools + grid.columns() - 1) / grid.columns() * grid.columns();
+    }
 
     /** Draws it; a press on a tool takes it up. */
     public static void draw(Pane pane, Area area, Desk desk, Craft taken, Consumer<Craft> take) {
@@ -46,9 +82,10 @@ public final class ToolPane {
         Color plate = isTaken ? Color.BRASS : pane.isHot(area) ? Color.EDGE : Color.PANEL_LIT;
         Color ink = isTaken ? Color.DUSK_TOP : Color.TEXT;
         Canvas canvas = pane.canvas();
-        canvas.panel(area.x(), area.y(), SIZE, SIZE, 9, plate);
+        canvas.panel(area.x(), area.y(), area.width(), area.height(), 9, plate);
         craft.draw(canvas, area.middleX(), area.middleY(), ink);
-        pane.spots().add(area, pane.words().of("editor.tool." + craft.key()), take);
+        String told = pane.words().of("editor.tool." + craft.key());
+        pane.spots().add(area, told, Control.Kind.of(isTaken), told, take);
     }
 
     private static void swatch(Pane pane, Area area, Desk desk, Substance substance) {
@@ -64,6 +101,8 @@ public final class ToolPane {
         pane.spots()
                 .add(
                         area,
+                        name,
+                        Control.Kind.of(isChosen),
                         pane.words().of("editor.material", name, key),
                         () -> desk.substance(substance));
     }

@@ -52,7 +52,7 @@ public final class CornersTool implements Tool {
     public void pressed(Point at) {
         pointer = at;
         boolean closes =
-                !corners.isEmpty() && corners.get(0).minus(at).length() <= desk.metres(REACH);
+                !corners.isEmpty() && corners.get(0).minus(at).length() <= desk.reach(REACH);
         if (closes) {
             finish(true);
         } else {
@@ -98,6 +98,11 @@ public final class CornersTool implements Tool {
             corners.remove(corners.size() - 1);
         }
         return key == Key.ENTER || key == Key.BACKSPACE;
+    }
+
+    @Override
+    public List<Key> keys() {
+        return corners.isEmpty() ? List.of() : List.of(Key.ENTER, Key.BACKSPACE);
     }
 
     @Override

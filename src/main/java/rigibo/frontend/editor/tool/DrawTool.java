@@ -10,6 +10,8 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 
+import java.util.List;
+
 /** Draws a body by dragging; a click without dragging places one of the usual size. */
 public final class DrawTool implements Tool {
 
@@ -73,6 +75,11 @@ public final class DrawTool implements Tool {
             corners = Math.max(Corners.FEWEST, Math.min(Corners.MOST, more));
         }
         return isCount;
+    }
+
+    @Override
+    public List<Key> keys() {
+        return stencil == Stencil.REGULAR ? List.of(Key.DOWN, Key.UP) : List.of();
     }
 
     @Override

@@ -86,8 +86,15 @@ public final class SelectTool implements Tool {
     private Optional<Handle> handleAt(Point at) {
         return desk.item().stream()
                 .flatMap(item -> Handles.of(desk, item).stream())
-                .filter(handle -> handle.at().minus(at).length() <= desk.metres(REACH))
+                .filter(handle -> handle.at().minus(at).length() <= desk.reach(REACH))
+                .filter(handle -> !desk.isInHand() || isNearer(handle, at))
                 .min(Comparator.comparingDouble(handle -> handle.at().minus(at).length()));
+    }
+
+    /** What is as small as a finger could not be dragged, if its handles took all touches. */
+    private boolean isNearer(Handle handle, Point at) {
+        double middle = desk.item().orElseThrow().place().minus(at).length();
+        return handle.at().minus(at).length() < middle;
     }
 
     @Override

@@ -4,6 +4,8 @@ import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
 
+import java.util.List;
+
 /** The action of the pointer on the draft. Points are in the world, m. */
 public interface Tool {
 
@@ -19,6 +21,11 @@ public interface Tool {
     /** A key went down; returns whether the tool had a use for it. */
     default boolean keyPressed(Key key) {
         return false;
+    }
+
+    /** The keys that it has a use for at present. */
+    default List<Key> keys() {
+        return List.of();
     }
 
     /** Leaves what is half done; returns whether there was something. */

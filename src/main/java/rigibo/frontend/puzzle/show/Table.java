@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.show;
 
 import rigibo.backend.RigidBody;
+import rigibo.frontend.puzzle.level.Verb;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.ClickResult;
 import rigibo.frontend.puzzle.rules.Link;
@@ -12,19 +13,27 @@ import rigibo.frontend.puzzle.session.Pose;
 import rigibo.frontend.puzzle.session.Session;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
+import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Sounds;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Plate;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BiPredicate;
 
 /** The play area: the bodies, the rings, the particles, and the pointer over them. */
 public final class Table {
 
     /** Distance between the ball and its ring, px. */
     private static final double RING_GAP = 8;
+
+    /** Round about the point at which something is clicked, px. */
+    private static final double REACH = 22;
 
     private static final OptionalDouble NOWHERE = OptionalDouble.empty();
 
@@ -231,6 +240,36 @@ public final class Table {
             case COOLING_DOWN, NO_CLICKS_LEFT, NOT_CLICKABLE -> noises.refused();
             case DONE, NOTHING_THERE, OVER -> {}
         }
+    }
+
+    /**
+     * Tells of all that can be clicked, where it is not covered, and of where the level begins.
+     *
+     * @param isCovered whether something lies over a point of the scene, px
+     */
+    public void describe(Narrator narrator, Words words, BiPredicate<Double, Double> isCovered) {
+        PuzzleGame game = session.game();
+        TargetNames names = new TargetNames(words, game);
+        narrator.says(names.start());
+        if (session.isShowing() || game.outcome() != Outcome.RUNNING) {
+            return;
+        }
+        for (Target target : game.targets()) {
+            // What is gone is nowhere.
+            if (target.isClickable()
+                    && !isCovered.test(camera.screenX(target.x()), camera.screenY(target.y()))) {
+                narrator.offers(control(target, names.of(target)));
+            }
+        }
+    }
+
+    private Control control(Target target, String name) {
+        double left = camera.screenX(target.x()) - REACH;
+        double top = camera.screenY(target.y()) - REACH;
+        Control.Kind kind =
+                target.is(Verb.SWITCH) ? Control.Kind.of(target.isOn()) : Control.Kind.BUTTON;
+        boolean isChosen = cursor.chosen(session.game()).filter(target::equals).isPresent();
+        return new Plate(left, top, 2 * REACH, 2 * REACH).control(name, kind, 0.5, isChosen);
     }
 
     public Refusal refusal() {

@@ -5,6 +5,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
@@ -171,6 +172,11 @@ public final class AccuracyBar {
         return pool.accuracy().equals(Accuracy.EXACT)
                 ? words.of("badge.reference")
                 : meter.last().map(last -> badge.error(last.error())).orElse(badge.unknownError());
+    }
+
+    /** Tells of the positions of its dial, if it was drawn. */
+    public void describe(Narrator narrator) {
+        dial.describe(narrator);
     }
 
     /** Whether a point lies on the bar as it was last drawn. */

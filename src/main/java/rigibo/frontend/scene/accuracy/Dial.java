@@ -3,7 +3,10 @@ package rigibo.frontend.scene.accuracy;
 import rigibo.backend.Pool;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Spread;
 
 import java.util.Arrays;
@@ -80,6 +83,20 @@ public final class Dial {
                 Canvas.Font.WORDS,
                 Canvas.Align.CENTRE,
                 isLit ? Color.DUSK_TOP : Color.TEXT_DIM);
+    }
+
+    /** Tells of its positions, if it was drawn. */
+    void describe(Narrator narrator) {
+        double from = 0;
+        for (Preset preset : Preset.values()) {
+            double end = ends[preset.ordinal()];
+            if (end > from) {
+                Plate place = new Plate(x + from, y, end - from, height);
+                boolean isLit = pool.accuracy().equals(preset.accuracy());
+                narrator.offers(place.control(preset.name(), Control.Kind.of(isLit), 0.5, false));
+            }
+            from = end;
+        }
     }
 
     /** Has no position until it is drawn again. */

@@ -5,7 +5,9 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Sleep;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
@@ -252,6 +254,18 @@ public final class EffectsBar {
 
     private Optional<Chip> hot() {
         return chips.stream().filter(chip -> chip.holds(pointerX, pointerY)).findFirst();
+    }
+
+    /** Tells of its chips, if it was drawn, and of what is to be said of the last one used. */
+    public void describe(Narrator narrator) {
+        for (Chip chip : chips) {
+            Plate place = new Plate(chip.x(), chip.y(), chip.width(), chip.height());
+            Control.Kind kind = Control.Kind.of(isLit(chip));
+            narrator.offers(place.control(chip.title(), kind, 0.5, false));
+        }
+        if (!refusal.isEmpty()) {
+            narrator.says(refusal);
+        }
     }
 
     /** Whether a point lies on the bar as it was last drawn. */

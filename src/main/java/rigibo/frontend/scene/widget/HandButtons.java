@@ -1,7 +1,9 @@
 package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Enlarged;
+import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Words;
 
 import java.util.ArrayList;
@@ -22,10 +24,21 @@ public final class HandButtons {
      * A button.
      *
      * @param words on it
+     * @param name what it is called
      * @param isLit whether what it switches is on
      * @param action what it does
      */
-    public record Item(String words, boolean isLit, Runnable action) {
+    public record Item(String words, String name, boolean isLit, Runnable action) {
+
+        /** A button that is called by the words on it. */
+        public Item(String words, boolean isLit, Runnable action) {
+            this(words, words, isLit, action);
+        }
+
+        /** A button with a sign on it, which says more to the eye than to the ear. */
+        Item(String sign, String name, Runnable action) {
+            this(sign, name, false, action);
+        }
 
         /** A button that does something once. */
         public Item(String words, Runnable action) {
@@ -49,8 +62,8 @@ public final class HandButtons {
         return List.of(
                 leave,
                 new Item(words.of("puzzle.command.pause"), isPaused, pause),
-                new Item("‹", () -> beside.accept(-1)),
-                new Item("›", () -> beside.accept(1)),
+                new Item("‹", words.of("hand.previous"), () -> beside.accept(-1)),
+                new Item("›", words.of("hand.next"), () -> beside.accept(1)),
                 new Item(words.of("puzzle.command.restart"), restart));
     }
 
@@ -79,6 +92,16 @@ public final class HandButtons {
             }
         }
         return Optional.empty();
+    }
+
+    /** Tells of them, where they were last drawn. */
+    public void describe(Narrator narrator) {
+        for (int i = 0; i < items.size(); i++) {
+            Item item = items.get(i);
+            Control.Kind kind = item.isLit ? Control.Kind.ON : Control.Kind.BUTTON;
+            Control control = places.get(i).control(item.name, kind, 0.5, false);
+            sheet.ifPresent(canvas -> canvas.telling(narrator).offers(control));
+        }
     }
 
     /** Forgets them all, before they are drawn anew. */
