@@ -83,6 +83,7 @@ class ArchitectureTest {
         PUZZLE + ".level..",
         PUZZLE + ".rules..",
         PUZZLE + ".generate..",
+        FRONTEND + ".demo..",
         "rigibo.fuzz.program.."
     };
 
@@ -331,7 +332,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void engineAndLevelsComputeTheSameBitsEverywhere() {
+    void engineLevelsAndDemosComputeTheSameBitsEverywhere() {
         noClasses()
                 .that()
                 .resideInAnyPackage(SAME_BITS_EVERYWHERE)

@@ -5,7 +5,9 @@ import rigibo.backend.Joint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
 import rigibo.backend.WheelJoint;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Length;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -181,7 +183,7 @@ final class Car {
     }
 
     private double base() {
-        return Math.hypot(
+        return Length.hypot(
                 wheels[FRONT].x() - wheels[REAR].x(), wheels[FRONT].y() - wheels[REAR].y());
     }
 
@@ -196,7 +198,7 @@ final class Car {
 
     /** Slope of the ground under the car, rad; positive uphill. */
     double slope() {
-        return Math.atan2(
+        return Angle.atan2(
                 wheels[FRONT].y() - wheels[REAR].y(), wheels[FRONT].x() - wheels[REAR].x());
     }
 
@@ -209,7 +211,7 @@ final class Car {
     double slip() {
         return -wheels[REAR].angularVelocity() * WHEEL
                 - Math.copySign(
-                        Math.hypot(wheels[REAR].velocityX(), wheels[REAR].velocityY()),
+                        Length.hypot(wheels[REAR].velocityX(), wheels[REAR].velocityY()),
                         wheels[REAR].velocityX());
     }
 }

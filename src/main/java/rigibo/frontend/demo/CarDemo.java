@@ -9,6 +9,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Angle;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
@@ -306,10 +307,10 @@ final class CarDemo implements Demo {
         for (int i = 0; i < 2; i++) {
             double aside = i == 0 ? -BESIDE : BESIDE;
             double length = PX_PER_NEWTON * loads[i];
-            double rootX = camera.screenX(wheel.x() + Car.WHEEL * Math.sin(angle)) + aside;
-            double rootY = camera.screenY(wheel.y() - Car.WHEEL * Math.cos(angle)) + 4;
-            double tailX = rootX + length * Math.sin(angle);
-            double tailY = rootY + length * Math.cos(angle);
+            double rootX = camera.screenX(wheel.x() + Car.WHEEL * Angle.sin(angle)) + aside;
+            double rootY = camera.screenY(wheel.y() - Car.WHEEL * Angle.cos(angle)) + 4;
+            double tailX = rootX + length * Angle.sin(angle);
+            double tailY = rootY + length * Angle.cos(angle);
             Color color = i == 0 ? Color.BRASS : Color.GOOD;
             canvas.line(tailX, tailY, rootX, rootY, 4, color);
             head(canvas, rootX, rootY, angle, color);
@@ -317,8 +318,8 @@ final class CarDemo implements Demo {
     }
 
     private static void head(Canvas canvas, double x, double y, double angle, Color color) {
-        double cos = Math.cos(angle);
-        double sin = Math.sin(angle);
+        double cos = Angle.cos(angle);
+        double sin = Angle.sin(angle);
         double[] xy = {
             x - 5 * cos + 8 * sin,
             y + 5 * sin + 8 * cos,

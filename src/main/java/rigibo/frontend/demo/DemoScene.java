@@ -1,5 +1,6 @@
 package rigibo.frontend.demo;
 
+import rigibo.backend.geometry.Logarithm;
 import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
@@ -206,7 +207,7 @@ final class DemoScene implements Scene {
 
     @Override
     public void scrolled(double notches, double x, double y) {
-        bench.camera().zoom(Math.pow(ZOOM, notches), x, y);
+        bench.camera().zoom(Logarithm.pow(ZOOM, notches), x, y);
     }
 
     @Override

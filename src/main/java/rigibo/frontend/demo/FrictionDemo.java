@@ -5,6 +5,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Angle;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
@@ -88,7 +89,7 @@ final class FrictionDemo implements Demo {
     }
 
     private void launch() {
-        lanes.forEach(lane -> lane.launch(bench, Math.toRadians(slope), speed, mass));
+        lanes.forEach(lane -> lane.launch(bench, Angle.ofDegrees(slope), speed, mass));
     }
 
     @Override
@@ -140,7 +141,7 @@ final class FrictionDemo implements Demo {
 
     /** The steepest ramp on which the lane holds a box: arctan μ. */
     private String limit(Lane lane) {
-        double degrees = Math.toDegrees(Math.atan(lane.friction));
+        double degrees = Angle.inDegrees(Angle.atan2(lane.friction, 1));
         return words.of(
                 "friction.limit",
                 words.number("%.2f", lane.friction),

@@ -3,8 +3,10 @@ package rigibo.frontend.demo;
 import rigibo.backend.Joint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Logarithm;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.scene.Skin;
 
@@ -103,7 +105,7 @@ final class Hang {
             hinge(above, link, way - half);
             above = link;
         }
-        double size = 0.08 + LARGER * Math.log10(ratio);
+        double size = 0.08 + LARGER * Logarithm.log(ratio) / Logarithm.log(10);
         hinge(above, bob(length, LINK_MASS * ratio, size), length);
     }
 
@@ -122,11 +124,11 @@ final class Hang {
     }
 
     private double x(double way) {
-        return way * Math.sin(angle);
+        return way * Angle.sin(angle);
     }
 
     private double y(double way) {
-        return -way * Math.cos(angle);
+        return -way * Angle.cos(angle);
     }
 
     /** Takes it down. */

@@ -1,6 +1,7 @@
 package rigibo.frontend.demo;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -75,7 +76,7 @@ final class Lane {
         place(bench, BodyDefinition.fixed(block), BLOCK / 2 - RUN_OUT, HALF_HEIGHT, skin);
         BodyDefinition thrown =
                 BodyDefinition.dynamic(Polygon.box(BOX_WIDTH, 2 * HALF_HEIGHT))
-                        .velocity(speed * Math.cos(slope), speed * Math.sin(slope))
+                        .velocity(speed * Angle.cos(slope), speed * Angle.sin(slope))
                         .mass(mass);
         box = place(bench, thrown, 0, HALF_HEIGHT, Skin.RIGIBO);
         launched = speed;
@@ -86,8 +87,8 @@ final class Lane {
 
     private RigidBody place(
             Workbench bench, BodyDefinition body, double along, double above, Skin look) {
-        double px = floorX(along) - above * Math.sin(slope);
-        double py = floorY(along) + above * Math.cos(slope);
+        double px = floorX(along) - above * Angle.sin(slope);
+        double py = floorY(along) + above * Angle.cos(slope);
         Material material = new Material(1, friction, 0);
         RigidBody part = bench.add(body.at(px, py).angle(slope).material(material), look);
         parts.add(part);
@@ -113,17 +114,17 @@ final class Lane {
 
     /** Speed of the box up the floor, m/s. */
     private double speed() {
-        return box.velocityX() * Math.cos(slope) + box.velocityY() * Math.sin(slope);
+        return box.velocityX() * Angle.cos(slope) + box.velocityY() * Angle.sin(slope);
     }
 
     /** Distance of the box up the floor from where it was launched, m. */
     double gone() {
-        return (box.x() - x) * Math.cos(slope) + (box.y() - y) * Math.sin(slope);
+        return (box.x() - x) * Angle.cos(slope) + (box.y() - y) * Angle.sin(slope);
     }
 
     /** Distance that the box should reach, v²/(2g(μ·cos + sin)), m. */
     double predicted() {
-        double held = GRAVITY * (friction * Math.cos(slope) + Math.sin(slope));
+        double held = GRAVITY * (friction * Angle.cos(slope) + Angle.sin(slope));
         return launched * launched / (2 * held);
     }
 
@@ -139,7 +140,7 @@ final class Lane {
 
     /** Whether friction holds the box where it stops, which it does up to the angle arctan μ. */
     boolean holds() {
-        return Math.tan(slope) <= friction;
+        return Angle.sin(slope) <= friction * Angle.cos(slope);
     }
 
     boolean isStill() {
@@ -149,17 +150,17 @@ final class Lane {
     /** Energy that the floor has taken from the launch, J. */
     double heat() {
         double given = box.mass() * launched * launched / 2;
-        double risen = box.mass() * GRAVITY * (box.y() - y - HALF_HEIGHT * Math.cos(slope));
+        double risen = box.mass() * GRAVITY * (box.y() - y - HALF_HEIGHT * Angle.cos(slope));
         return given - box.kineticEnergy() - risen;
     }
 
     /** World x of a position on the floor, given in m from the start. */
     double floorX(double along) {
-        return x + along * Math.cos(slope);
+        return x + along * Angle.cos(slope);
     }
 
     /** World y of a position on the floor, given in m from the start. */
     double floorY(double along) {
-        return y + along * Math.sin(slope);
+        return y + along * Angle.sin(slope);
     }
 }

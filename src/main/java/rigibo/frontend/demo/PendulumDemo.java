@@ -8,6 +8,8 @@ import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Rotation;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Logarithm;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
@@ -105,8 +107,8 @@ final class PendulumDemo implements Demo {
         if (hang != null) {
             hang.remove();
         }
-        double ratio = Math.pow(10, power);
-        hang = new Hang(bench, kind, length, Math.toRadians(degrees), ratio);
+        double ratio = Logarithm.pow(10, power);
+        hang = new Hang(bench, kind, length, Angle.ofDegrees(degrees), ratio);
         swing = new Swing(hang.last(), length);
         trail.clear();
         ghostTrail.clear();
@@ -313,8 +315,8 @@ final class PendulumDemo implements Demo {
         double[] arc = new double[2 * (ARC_PIECES + 1)];
         for (int i = 0; i <= ARC_PIECES; i++) {
             double angle = reach * (2.0 * i / ARC_PIECES - 1);
-            arc[2 * i] = camera.screenX(radius * Math.sin(angle));
-            arc[2 * i + 1] = camera.screenY(-radius * Math.cos(angle));
+            arc[2 * i] = camera.screenX(radius * Angle.sin(angle));
+            arc[2 * i + 1] = camera.screenY(-radius * Angle.cos(angle));
         }
         canvas.curve(arc, ARC_PIECES + 1, 1.5, Color.BRASS.alpha(0.45));
         if (reach < Math.PI) {

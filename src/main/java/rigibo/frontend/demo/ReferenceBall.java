@@ -2,6 +2,7 @@ package rigibo.frontend.demo;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Circle;
+import rigibo.backend.geometry.Logarithm;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.frontend.scene.Camera;
@@ -75,7 +76,7 @@ final class ReferenceBall {
     }
 
     private double predicted() {
-        return Math.pow(dropped, 2 * bounces) * HEIGHT;
+        return Logarithm.pow(dropped, 2 * bounces) * HEIGHT;
     }
 
     /** Height of the present rise by the formula. */

@@ -1,6 +1,8 @@
 package rigibo.frontend.demo;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
+import rigibo.backend.geometry.Length;
 import rigibo.frontend.scene.Scene;
 
 import java.util.OptionalDouble;
@@ -11,10 +13,10 @@ import java.util.OptionalDouble;
  */
 final class Swing {
 
-    /** Relative difference at which the arithmetic–geometric mean has converged. */
     /** Of the period; M is the arithmetic-geometric mean. */
     static final String FORMULA = "2π√(L/g)/M(1, cos½θ)";
 
+    /** Relative difference at which the arithmetic-geometric mean has converged. */
     private static final double MEAN_TOLERANCE = 1e-15;
 
     private static final int BISECTIONS = 50;
@@ -54,7 +56,7 @@ final class Swing {
 
     /** Angle from the vertical, rad, positive to the right. */
     private double angle() {
-        return Math.atan2(bob.x(), -bob.y());
+        return Angle.atan2(bob.x(), -bob.y());
     }
 
     private double rate() {
@@ -72,12 +74,12 @@ final class Swing {
         double rate = rate();
         double motion = inertia() * rate * rate / 2;
         double most = 2 * bob.mass() * Hang.G * length;
-        return motion / most + (1 - Math.cos(angle())) / 2;
+        return motion / most + (1 - Angle.cos(angle())) / 2;
     }
 
     /** The largest angle from the vertical, rad. */
     double amplitude() {
-        return share() >= 1 ? Math.PI : 2 * Math.asin(Math.sqrt(share()));
+        return share() >= 1 ? Math.PI : 2 * Angle.asin(Math.sqrt(share()));
     }
 
     /**
@@ -122,9 +124,9 @@ final class Swing {
      */
     private double pullNow() {
         double rate = rate();
-        double along = bob.mass() * (Hang.G * Math.cos(angle()) + length * rate * rate);
-        double across = bob.mass() * Hang.G * Math.sin(angle()) * bob.inertia() / inertia();
-        return Math.hypot(along, across);
+        double along = bob.mass() * (Hang.G * Angle.cos(angle()) + length * rate * rate);
+        double across = bob.mass() * Hang.G * Angle.sin(angle()) * bob.inertia() / inertia();
+        return Length.hypot(along, across);
     }
 
     void afterStep() {

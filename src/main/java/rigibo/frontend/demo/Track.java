@@ -3,6 +3,7 @@ package rigibo.frontend.demo;
 import rigibo.backend.Joint;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -68,7 +69,7 @@ final class Track {
         corner(xy, GAP_FROM, 0);
         for (int i = HILL_PIECES; i >= 0; i--) {
             double t = (double) i / HILL_PIECES;
-            double height = HILL_HEIGHT / 2 * (1 - Math.cos(2 * Math.PI * t));
+            double height = HILL_HEIGHT / 2 * (1 - Angle.cos(2 * Math.PI * t));
             corner(xy, HILL_FROM + t * (HILL_TO - HILL_FROM), height);
         }
         corner(xy, START, 0);
@@ -103,8 +104,8 @@ final class Track {
         RigidBody before = ground;
         for (int k = 1; k <= PLANKS; k++) {
             double angle = lean(k, high);
-            double dx = length * Math.cos(angle);
-            double dy = length * Math.sin(angle);
+            double dx = length * Angle.cos(angle);
+            double dy = length * Angle.sin(angle);
             RigidBody plank = plank(length, x + dx / 2, y + dy / 2, angle);
             joints.add(bench.join(RevoluteJoint.at(before, plank, x, y)));
             x += dx;
@@ -115,13 +116,13 @@ final class Track {
     }
 
     private static double lean(int plank, double pull) {
-        return Math.atan((2 * plank - PLANKS - 1) / (2 * pull));
+        return Angle.atan2(2 * plank - PLANKS - 1, 2 * pull);
     }
 
     private static double span(double length, double pull) {
         double sum = 0;
         for (int k = 1; k <= PLANKS; k++) {
-            sum += length * Math.cos(lean(k, pull));
+            sum += length * Angle.cos(lean(k, pull));
         }
         return sum;
     }

@@ -10,6 +10,7 @@ import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.RollingResistance;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Thrust;
+import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
@@ -117,7 +118,7 @@ final class WheelDemo implements Demo {
             bench.remove(ramp);
             bench.remove(wheel);
         }
-        double angle = -Math.toRadians(slope);
+        double angle = -Angle.ofDegrees(slope);
         ramp =
                 bench.add(
                         BodyDefinition.fixed(Polygon.box(RAMP_LENGTH, 0.6))
@@ -126,8 +127,8 @@ final class WheelDemo implements Demo {
                         Skin.WOOD);
         double along = -3.4;
         double above = 0.3 + RADIUS;
-        double x = along * Math.cos(angle) - above * Math.sin(angle);
-        double y = along * Math.sin(angle) + above * Math.cos(angle);
+        double x = along * Angle.cos(angle) - above * Angle.sin(angle);
+        double y = along * Angle.sin(angle) + above * Angle.cos(angle);
         BodyDefinition made =
                 BodyDefinition.dynamic(new Circle(RADIUS))
                         .at(x, y)
@@ -205,7 +206,7 @@ final class WheelDemo implements Demo {
     /** Speed down the ramp, m/s. */
     private double speed() {
         double angle = ramp.angle();
-        return wheel.velocityX() * Math.cos(angle) + wheel.velocityY() * Math.sin(angle);
+        return wheel.velocityX() * Angle.cos(angle) + wheel.velocityY() * Angle.sin(angle);
     }
 
     private double rim() {
@@ -219,12 +220,12 @@ final class WheelDemo implements Demo {
 
     /** Acceleration down the ramp by everything but friction, m/s². */
     private double pull() {
-        return GRAVITY * Math.sin(Math.toRadians(slope)) + thrust / MASS;
+        return GRAVITY * Angle.sin(Angle.ofDegrees(slope)) + thrust / MASS;
     }
 
     /** Largest acceleration by friction, m/s². */
     private double grip() {
-        return friction * GRAVITY * Math.cos(Math.toRadians(slope));
+        return friction * GRAVITY * Angle.cos(Angle.ofDegrees(slope));
     }
 
     /** Of the acceleration down the ramp, with τ the torque about the contact. */
@@ -263,7 +264,7 @@ final class WheelDemo implements Demo {
             return pull() - Math.signum(speed() - rim()) * grip;
         }
         double driven = turning() + brake;
-        double resisted = lever * MASS * GRAVITY * Math.cos(Math.toRadians(slope));
+        double resisted = lever * MASS * GRAVITY * Angle.cos(Angle.ofDegrees(slope));
         double way = Math.abs(rim()) > SLIPS ? Math.signum(rim()) : Math.signum(driven);
         boolean stands = way * driven < resisted && Math.abs(rim()) <= SLIPS;
         double left = stands ? 0 : driven - way * resisted;
@@ -293,8 +294,8 @@ final class WheelDemo implements Demo {
     }
 
     private void drive(double angle) {
-        double fx = thrust * Math.cos(angle);
-        double fy = thrust * Math.sin(angle);
+        double fx = thrust * Angle.cos(angle);
+        double fy = thrust * Angle.sin(angle);
         bench.act(wheel, any -> any.applyTorque(-torque - brake));
         bench.act(wheel, any -> any.applyForce(fx, fy, any.x(), any.y()));
     }
@@ -315,8 +316,8 @@ final class WheelDemo implements Demo {
         double y = camera.screenY(wheel.y());
         double length = 12 * speed();
         double angle = ramp.angle();
-        double tipX = x + length * Math.cos(angle);
-        double tipY = y - length * Math.sin(angle);
+        double tipX = x + length * Angle.cos(angle);
+        double tipY = y - length * Angle.sin(angle);
         canvas.line(x, y, tipX, tipY, 4, Color.GOOD);
         canvas.disc(tipX, tipY, 6, Color.GOOD);
     }

@@ -110,7 +110,7 @@ public final class Offscreen implements AutoCloseable {
 
     private void draw(Scene scene, double seconds) {
         glBindFramebuffer(GL_FRAMEBUFFER, frame);
-        painter.begin(Layout.of(width, height, 1), seconds, Detail.FULL);
+        painter.begin(Layout.of(width, height, 1), scene.scenery(), seconds, Detail.FULL);
         scene.draw(painter);
         painter.end(0);
         glFinish();

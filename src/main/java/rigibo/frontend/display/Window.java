@@ -234,7 +234,7 @@ final class Window {
     private long draw(Settings.Detail chosen, double dark) {
         long begin = System.nanoTime();
         layOut();
-        painter.begin(layout, glfwGetTime(), choice.detail(chosen));
+        painter.begin(layout, scene.scenery(), glfwGetTime(), choice.detail(chosen));
         scene.draw(painter);
         WayBack.draw(painter, wayBack);
         toast.draw(painter);

@@ -77,24 +77,33 @@ public final class Document {
 
     /** Reports an error at a pointer; the message is made only if it is reported. */
     public void error(String pointer, Supplier<String> message) {
-        tell(Problem.Severity.ERROR, pointer, message);
+        error(Cause.CONTENT, pointer, message);
+    }
+
+    /** Reports an error whose cause is more than the value at a pointer. */
+    public void error(Cause cause, String pointer, Supplier<String> message) {
+        tell(Problem.Severity.ERROR, cause, () -> pointer, message);
     }
 
     /** Reports a warning at a pointer. */
     public void warning(String pointer, Supplier<String> message) {
-        tell(Problem.Severity.WARNING, pointer, message);
-    }
-
-    private void tell(Problem.Severity severity, String pointer, Supplier<String> message) {
-        tell(severity, () -> pointer, message);
+        tell(Problem.Severity.WARNING, () -> pointer, message);
     }
 
     void tell(Problem.Severity severity, Supplier<String> pointer, Supplier<String> message) {
+        tell(severity, Cause.CONTENT, pointer, message);
+    }
+
+    private void tell(
+            Problem.Severity severity,
+            Cause cause,
+            Supplier<String> pointer,
+            Supplier<String> message) {
         if (problems.isFull()) {
             problems.count(severity);
         } else {
             String at = pointer.get();
-            problems.tell(severity, at(at), at, message.get());
+            problems.tell(severity, cause, at(at), at, message.get());
         }
     }
 

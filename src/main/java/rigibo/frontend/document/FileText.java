@@ -23,11 +23,11 @@ public final class FileText {
         try {
             return decode(bytes(file), problems);
         } catch (NoSuchFileException missing) {
-            return refused(problems, "cannot be read: there is no such file");
+            return refused(problems, Cause.UNREADABLE, "cannot be read: there is no such file");
         } catch (AccessDeniedException denied) {
-            return refused(problems, "cannot be read: permission denied");
+            return refused(problems, Cause.UNREADABLE, "cannot be read: permission denied");
         } catch (IOException broken) {
-            return refused(problems, "cannot be read: " + broken.getMessage());
+            return refused(problems, Cause.UNREADABLE, "cannot be read: " + broken.getMessage());
         }
     }
 
@@ -54,7 +54,8 @@ public final class FileText {
      */
     public static Optional<String> decode(byte[] bytes, Problems problems) {
         if (bytes.length > Bounds.BYTES) {
-            return refused(problems, "is larger than " + Bounds.BYTES + " bytes, the most we read");
+            String words = "is larger than " + Bounds.BYTES + " bytes, the most we read";
+            return refused(problems, Cause.TOO_LARGE, words);
         }
         try {
             String text =
@@ -64,12 +65,12 @@ public final class FileText {
                             ? text.substring(BYTE_ORDER_MARK.length())
                             : text);
         } catch (CharacterCodingException broken) {
-            return refused(problems, "is not UTF-8 text");
+            return refused(problems, Cause.DAMAGED, "is not UTF-8 text");
         }
     }
 
-    private static Optional<String> refused(Problems problems, String why) {
-        problems.error(Place.START, "", why);
+    private static Optional<String> refused(Problems problems, Cause cause, String why) {
+        problems.refuse(cause, why);
         return Optional.empty();
     }
 }

@@ -17,6 +17,7 @@ public final class FormatRule {
         boolean isNewer = format.isInt() && format.intValue() > known && format.intValue() <= LAST;
         if (isNewer) {
             document.error(
+                    Cause.NEWER,
                     pointer,
                     () ->
                             "made for a newer RigiBo (format "

@@ -57,21 +57,22 @@ final class JsonParsing {
     private Optional<JsonNode> document() {
         try {
             if (parser.nextToken() == null) {
-                problems.error(Place.START, "", "the file is empty");
+                problems.refuse(Cause.DAMAGED, "the file is empty");
                 return Optional.empty();
             }
             JsonNode root = value();
             if (parser.nextToken() != null) {
-                problems.error(here(), "", "not JSON: text after the end");
+                problems.error(Cause.DAMAGED, here(), "", "not JSON: text after the end");
                 return Optional.empty();
             }
             return Optional.of(root);
         } catch (StreamConstraintsException beyond) {
-            problems.error(here(), pointer(), "more than we read: " + words(beyond));
+            String words = "more than we read: " + words(beyond);
+            problems.error(Cause.TOO_LARGE, here(), pointer(), words);
             return Optional.empty();
         } catch (JacksonException broken) {
             Place place = broken.getLocation() == null ? here() : Place.of(broken.getLocation());
-            problems.error(place, pointer(), "not JSON: " + words(broken));
+            problems.error(Cause.DAMAGED, place, pointer(), "not JSON: " + words(broken));
             return Optional.empty();
         }
     }

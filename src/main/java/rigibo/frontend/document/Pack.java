@@ -46,6 +46,17 @@ public final class Pack {
      */
     public record Entry(String name, String text) {}
 
+    /** What a pack must not be. */
+    private static final class Refused extends IOException {
+        private static final long serialVersionUID = 1;
+        private final Cause cause;
+
+        Refused(Cause cause, String words) {
+            super(words);
+            this.cause = cause;
+        }
+    }
+
     /** Whether a path is that of a pack, sound or not. */
     public static boolean is(Path file) {
         return Files.isDirectory(file) || file.toString().toLowerCase(Locale.ROOT).endsWith(".zip");
@@ -65,20 +76,23 @@ public final class Pack {
                 pack.readZip();
             }
             if (pack.entries.isEmpty() && errors.isEmpty()) {
-                throw new IOException("holds no file that ends with " + ENDING);
+                throw new Refused(Cause.EMPTY, "holds no file that ends with " + ENDING);
             }
         } catch (ZipException damaged) {
-            errors.add(pack.problem("is no zip file, or a damaged one: " + damaged.getMessage()));
-        } catch (IOException refused) {
-            errors.add(pack.problem(refused.getMessage()));
+            String words = "is no zip file, or a damaged one: " + damaged.getMessage();
+            errors.add(pack.problem(Cause.DAMAGED, words));
+        } catch (Refused refused) {
+            errors.add(pack.problem(refused.cause, refused.getMessage()));
+        } catch (IOException broken) {
+            errors.add(pack.problem(Cause.UNREADABLE, broken.getMessage()));
         } catch (IllegalArgumentException unnamable) {
-            errors.add(pack.problem("holds a file whose name is no UTF-8 text"));
+            errors.add(pack.problem(Cause.CONTENT, "holds a file whose name is no UTF-8 text"));
         }
         return pack.entries;
     }
 
-    private Problem problem(String why) {
-        return new Problem(Problem.Severity.ERROR, place.toString(), Place.START, "", why);
+    private Problem problem(Cause cause, String why) {
+        return new Problem(Problem.Severity.ERROR, place.toString(), Place.START, "", why, cause);
     }
 
     private void readFolder() throws IOException {
@@ -117,7 +131,8 @@ public final class Pack {
 
     private static void requireFew(int files) throws IOException {
         if (files > MOST_FILES) {
-            throw new IOException("holds " + files + " files, and a pack at most " + MOST_FILES);
+            String words = "holds " + files + " files, and a pack at most " + MOST_FILES;
+            throw new Refused(Cause.TOO_LARGE, words);
         }
     }
 
@@ -128,14 +143,15 @@ public final class Pack {
                         || name.contains(":")
                         || List.of(name.split("/")).contains("..");
         if (isOutside) {
-            throw new IOException("holds \"" + name + "\", a path that leads out of the pack");
+            String words = "holds \"" + name + "\", a path that leads out of the pack";
+            throw new Refused(Cause.CONTENT, words);
         }
     }
 
     private void take(String name, byte[] content) throws IOException {
         bytes += content.length;
         if (bytes > MOST_BYTES) {
-            throw new IOException("unpacks to more than " + MOST_BYTES + " bytes");
+            throw new Refused(Cause.TOO_LARGE, "unpacks to more than " + MOST_BYTES + " bytes");
         }
         Problems problems = new Problems(name);
         Optional<String> text = FileText.decode(content, problems);

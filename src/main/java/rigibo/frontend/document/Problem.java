@@ -8,8 +8,10 @@ package rigibo.frontend.document;
  * @param place where in the file
  * @param pointer JSON pointer of the value at fault; empty for the whole file
  * @param message what is wrong and what was expected
+ * @param cause of the message, for players
  */
-public record Problem(Severity severity, String file, Place place, String pointer, String message) {
+public record Problem(
+        Severity severity, String file, Place place, String pointer, String message, Cause cause) {
 
     /** Whether a file with this problem may be used. */
     public enum Severity {
@@ -21,6 +23,11 @@ public record Problem(Severity severity, String file, Place place, String pointe
 
     public Problem {
         message = Escape.controls(message);
+    }
+
+    /** A problem of what a file contains. */
+    public Problem(Severity severity, String file, Place place, String pointer, String message) {
+        this(severity, file, place, pointer, message, Cause.CONTENT);
     }
 
     public boolean isError() {

@@ -36,14 +36,23 @@ public final class Problems {
 
     /** Reports an error, which keeps the file from being used. */
     public void error(Place place, String pointer, String message) {
-        tell(Problem.Severity.ERROR, place, pointer, message);
+        error(Cause.CONTENT, place, pointer, message);
     }
 
-    void tell(Problem.Severity severity, Place place, String pointer, String message) {
+    void error(Cause cause, Place place, String pointer, String message) {
+        tell(Problem.Severity.ERROR, cause, place, pointer, message);
+    }
+
+    /** Reports why a file as a whole cannot be used. */
+    void refuse(Cause cause, String message) {
+        error(cause, Place.START, "", message);
+    }
+
+    void tell(Problem.Severity severity, Cause cause, Place place, String pointer, String message) {
         if (isFull()) {
             count(severity);
         } else {
-            told.add(new Problem(severity, file, place, pointer, message));
+            told.add(new Problem(severity, file, place, pointer, message, cause));
             errors += severity == Problem.Severity.ERROR ? 1 : 0;
         }
     }

@@ -70,7 +70,9 @@ public record ShareCode(Kind kind, String text) {
         if (letters.length() > MOST_LETTERS) {
             String words = "has %,d letters, and a code at most %,d";
             return refused(
-                    problems, String.format(Locale.ROOT, words, letters.length(), MOST_LETTERS));
+                    problems,
+                    Cause.TOO_LARGE,
+                    String.format(Locale.ROOT, words, letters.length(), MOST_LETTERS));
         }
         for (Kind kind : Kind.values()) {
             String start = kind.start();
@@ -80,7 +82,8 @@ public record ShareCode(Kind kind, String text) {
             }
         }
         String known = Kind.LEVEL.start() + " or " + Kind.REPLAY.start();
-        return refused(problems, "must begin with " + known + ", as codes of this version do");
+        String words = "must begin with " + known + ", as codes of this version do";
+        return refused(problems, Cause.DAMAGED, words);
     }
 
     private static Optional<String> text(String letters, Problems problems) {
@@ -106,11 +109,11 @@ public record ShareCode(Kind kind, String text) {
     }
 
     private static Optional<String> damaged(Problems problems) {
-        return refused(problems, "is damaged: a letter is missing, or was changed");
+        return refused(problems, Cause.DAMAGED, "is damaged: a letter is missing, or was changed");
     }
 
-    private static <T> Optional<T> refused(Problems problems, String why) {
-        problems.error(Place.START, "", why);
+    private static <T> Optional<T> refused(Problems problems, Cause cause, String why) {
+        problems.refuse(cause, why);
         return Optional.empty();
     }
 

@@ -8,6 +8,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.Scenery;
 import rigibo.frontend.scene.Skin;
 
 /**
@@ -23,16 +24,18 @@ public final class Painter implements Canvas {
     private final Marks marks = new Marks();
     private Baked ground;
     private Detail detail;
+    private Scenery scenery;
     private Layout layout = Layout.ALONE;
 
     /**
-     * Begins a frame that fills a framebuffer with what a layout for its size in pixels shows.
-     * Seconds since the start let faces blink.
+     * Begins a frame that fills a framebuffer with what a layout for its size in pixels shows,
+     * before a scenery. Seconds since the start let faces blink.
      */
-    public void begin(Layout wanted, double seconds, Detail most) {
+    public void begin(Layout wanted, Scenery behind, double seconds, Detail most) {
         bodies.begin(seconds, most);
-        if (ground == null || !wanted.equals(layout) || most != detail) {
+        if (!wanted.equals(layout) || behind != scenery || most != detail) {
             layout = wanted;
+            scenery = behind;
             detail = most;
             layGround();
         }
@@ -47,12 +50,19 @@ public final class Painter implements Canvas {
         }
         ground =
                 new Baked(
-                        "ground",
+                        shader(scenery),
                         pixels(layout.width()),
                         pixels(layout.height()),
                         1,
                         detail,
                         shader -> shader.set("window", layout));
+    }
+
+    private static String shader(Scenery scenery) {
+        return switch (scenery) {
+            case WORKSHOP -> "workshop";
+            case MOON -> "moon";
+        };
     }
 
     private int pixels(double logical) {

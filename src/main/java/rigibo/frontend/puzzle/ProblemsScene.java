@@ -11,7 +11,10 @@ import rigibo.frontend.scene.widget.Lines;
 
 import java.util.List;
 
-/** The problems of a file that could not be opened. */
+/**
+ * The problems of a file that could not be opened: why in the player's language, and under it in
+ * English, with its place in the file, what whoever made it has to mend.
+ */
 final class ProblemsScene implements Scene {
 
     private static final double EDGE = 24;
@@ -19,11 +22,11 @@ final class ProblemsScene implements Scene {
     private static final double LEFT = EDGE + PADDING;
     private static final double TEXT_WIDTH = WIDTH - 2 * LEFT;
     private static final double HEADLINE = EDGE + 40;
-    private static final double ADVICE = EDGE + 80;
-    private static final double FIRST_LINE = EDGE + 124;
+    private static final double FIRST_LINE = EDGE + 92;
     private static final double LAST_LINE = HEIGHT - EDGE - 76;
     private static final double SIZE = 16;
     private static final double LINE = 22;
+    private static final double WHY = 18;
 
     /** Distance between two problems, px. */
     private static final double GAP = 8;
@@ -50,27 +53,43 @@ final class ProblemsScene implements Scene {
         canvas.frame(EDGE, EDGE, WIDTH - 2 * EDGE, HEIGHT - 2 * EDGE, 18, Color.BAD);
         String headline = director.words().of("replay.cannot-be-opened");
         line(canvas, headline, HEADLINE, 26, Canvas.Font.WORDS, Color.BRASS);
-        String advice = director.words().of("replay.advice");
-        line(canvas, advice, ADVICE, SIZE, Canvas.Font.WORDS, Color.TEXT);
-        double y = FIRST_LINE;
-        for (int i = 0; i < problems.size(); i++) {
-            List<String> lines = lines(canvas, problems.get(i));
-            if (y + lines.size() * LINE > LAST_LINE) {
-                String more = director.words().of("replay.more-problems", problems.size() - i);
-                line(canvas, more, y, SIZE, Canvas.Font.WORDS, Color.BRASS);
-                break;
-            }
-            for (String words : lines) {
-                line(canvas, words, y, SIZE, Canvas.Font.NUMBERS, Color.TEXT);
-                y += LINE;
-            }
-            y += GAP;
-        }
+        drawProblems(canvas);
         String leave = director.words().of("replay.leave-problems");
         line(canvas, leave, HEIGHT - EDGE - 30, SIZE, Canvas.Font.WORDS, Color.TEXT_DIM);
     }
 
-    private static List<String> lines(Canvas canvas, Problem problem) {
+    private void drawProblems(Canvas canvas) {
+        double y = FIRST_LINE;
+        for (int i = 0; i < problems.size(); i++) {
+            List<String> why = i > 0 && isSaidBefore(i) ? List.of() : why(canvas, problems.get(i));
+            List<String> exactly = exactly(canvas, problems.get(i));
+            if (y + (why.size() + exactly.size()) * LINE > LAST_LINE) {
+                String more = director.words().of("replay.more-problems", problems.size() - i);
+                line(canvas, more, y, SIZE, Canvas.Font.WORDS, Color.BRASS);
+                break;
+            }
+            for (String words : why) {
+                line(canvas, words, y, WHY, Canvas.Font.WORDS, Color.TEXT);
+                y += LINE;
+            }
+            for (String words : exactly) {
+                line(canvas, words, y, SIZE, Canvas.Font.NUMBERS, Color.TEXT_DIM);
+                y += LINE;
+            }
+            y += GAP;
+        }
+    }
+
+    private boolean isSaidBefore(int i) {
+        return problems.get(i).cause() == problems.get(i - 1).cause();
+    }
+
+    private List<String> why(Canvas canvas, Problem problem) {
+        String words = director.words().of(problem.cause().key());
+        return Lines.of(canvas, words, WHY, Canvas.Font.WORDS, TEXT_WIDTH);
+    }
+
+    private static List<String> exactly(Canvas canvas, Problem problem) {
         return Lines.of(canvas, problem.toString(), SIZE, Canvas.Font.NUMBERS, TEXT_WIDTH);
     }
 

@@ -24,6 +24,7 @@ import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Scenery;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Tap;
 
@@ -106,6 +107,11 @@ public final class PuzzleScene implements Scene {
     @Override
     public String title() {
         return "RigiBo – " + level.title().in(director.words().locale());
+    }
+
+    @Override
+    public Scenery scenery() {
+        return view.scenery();
     }
 
     @Override

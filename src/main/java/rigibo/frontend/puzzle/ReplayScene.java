@@ -14,6 +14,7 @@ import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Scenery;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
@@ -61,6 +62,11 @@ final class ReplayScene implements Scene {
     public String title() {
         String level = recording.level().title().in(director.words().locale());
         return "RigiBo – " + director.words().of("replay.title", level);
+    }
+
+    @Override
+    public Scenery scenery() {
+        return view.scenery();
     }
 
     @Override

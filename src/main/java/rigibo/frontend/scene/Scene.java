@@ -20,6 +20,11 @@ public interface Scene {
     /** The window's title. */
     String title();
 
+    /** What is behind it. */
+    default Scenery scenery() {
+        return Scenery.WORKSHOP;
+    }
+
     /** Whether it has plates that stand beside it where the window has room for them. */
     default boolean hasColumns() {
         return false;

@@ -56,7 +56,7 @@ class BrokenAssetsTest {
                 "fonts/Quicksand-Bold.ttf",
                 "shaders/plate.vert.glsl",
                 "shaders/skin.frag.glsl",
-                "shaders/ground.frag.glsl"
+                "shaders/workshop.frag.glsl"
             })
     void oneThatIsMissing(String asset) throws IOException {
         Files.delete(place(asset));

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.document.Cause;
 import rigibo.frontend.document.ShareCode;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LevelTexts;
@@ -121,6 +122,27 @@ class PlayerFilesTest {
         Scene unsound = paste(code(LevelTexts.with("\"radius\": 0.35", "\"radius\": -1")));
         assertThat(String.join("", RecordingCanvas.of(unsound).texts())).contains("/ball/radius");
         assertThat(PlayerFiles.pasted(director, "something else")).isEmpty();
+    }
+
+    /** Players who drop a file or paste a code read why it is refused in their language. */
+    @Test
+    void everyCauseIsToldInGerman() throws IOException {
+        director.settings(director.settings().withLanguage("de"));
+        String whole = code(LevelTexts.SOUND);
+        assertThat(texts(paste(whole.substring(0, whole.length() - 9)))).contains("beschädigt");
+        assertThat(texts(open(folder.resolve("none.json")))).contains("noch da");
+        assertThat(texts(open(replay))).contains("das hier fehlt");
+        assertThat(texts(open(Files.createDirectory(folder.resolve("empty"))))).contains("weder");
+        Path newer = folder.resolve("newer.json");
+        Files.writeString(newer, LevelTexts.with("\"format\": 1", "\"format\": 9"));
+        assertThat(texts(open(newer))).contains("ein neueres RigiBo");
+        for (Cause cause : Cause.values()) {
+            assertThat(director.words().of(cause.key())).isNotBlank();
+        }
+    }
+
+    private static String texts(Scene scene) {
+        return String.join(" ", RecordingCanvas.of(scene).texts());
     }
 
     @ParameterizedTest

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
@@ -47,6 +48,24 @@ class PuzzleInWideWindowsTest {
         double[] at = canvas().middleOf("gravity");
         played.scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
         assertThat(canvas().plateOf("gravity")).isEqualTo(Color.PANEL_LIT);
+    }
+
+    /** It would otherwise stand upright beside the level, without a wall. */
+    @Test
+    void waterFloodsAllThatTheWindowShows() {
+        PlayedLevel flooded =
+                new PlayedLevel(
+                        LevelTexts.level(
+                                LevelTexts.with(
+                                                "[0, -9.81],",
+                                                "[0, -9.81], \"water\": {\"level\": 2},")
+                                        .replace(
+                                                "\"effects\": [", "\"effects\": [\"buoyancy\", ")));
+        RecordingCanvas canvas = RecordingCanvas.of(flooded.scene, WIDE);
+        assertThat(canvas.lines())
+                .anyMatch(line -> line.x1() <= WIDE.left() && line.x2() >= WIDE.right());
+        double[] corner = {WIDE.right() - 1, WIDE.bottom() - 1};
+        assertThat(canvas.plateAt(corner[0], corner[1]).alpha()).isLessThan(0.3f);
     }
 
     /** The box is where it is seen, in the scene's own coordinates. */

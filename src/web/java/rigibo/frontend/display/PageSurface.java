@@ -10,6 +10,7 @@ import org.teavm.jso.dom.html.HTMLDocument;
 import org.teavm.jso.webgl.WebGL2RenderingContext;
 import org.teavm.jso.webgl.WebGLRenderingContext;
 
+import rigibo.frontend.draw.Detail;
 import rigibo.frontend.draw.DetailChoice;
 import rigibo.frontend.draw.Painter;
 import rigibo.frontend.draw.Paper;
@@ -77,7 +78,8 @@ final class PageSurface {
         // it.
         gl.clear(WebGLRenderingContext.COLOR_BUFFER_BIT);
         Paper.clear();
-        painter.begin(layout, begin / 1e9, choice.detail(settings.detail()));
+        Detail detail = choice.detail(settings.detail());
+        painter.begin(layout, scene.scenery(), begin / 1e9, detail);
         scene.draw(painter);
         WayBack.draw(painter, wayBack);
         toast.draw(painter);

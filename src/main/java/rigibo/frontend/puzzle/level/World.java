@@ -18,6 +18,11 @@ public record World(double width, double height, Effects effects) {
     /** Of a plate of water 1 m deep, as the substances' densities are, kg/m². */
     public static final double USUAL_WATER = 1000;
 
+    /** Gravity on the Moon, m/s², and how far it may be from that to count as the Moon's. */
+    private static final double MOON = -1.62;
+
+    private static final double MOON_SPREAD = 0.3;
+
     /** Calms a floating box within a second or two, 1/s. */
     public static final double USUAL_DRAG = 2;
 
@@ -29,6 +34,11 @@ public record World(double width, double height, Effects effects) {
     /** Gravity upwards, m/s²; 0 where it is not declared. */
     public double gravityY() {
         return effects.find(Gravity.class).map(Gravity::y).orElse(0.0);
+    }
+
+    /** Whether things weigh what they weigh on the Moon, or little more or less. */
+    public boolean isOnTheMoon() {
+        return Math.abs(gravityX()) < MOON_SPREAD && Math.abs(gravityY() - MOON) < MOON_SPREAD;
     }
 
     /** Where the water's surface is, m above the world's bottom; nothing where there is none. */

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.replay;
 
 import rigibo.backend.Pool;
+import rigibo.frontend.document.Cause;
 import rigibo.frontend.document.Document;
 import rigibo.frontend.document.FormatRule;
 import rigibo.frontend.document.JsonSchema;
@@ -122,6 +123,7 @@ public final class ReplayLoader {
     private static void tellRevision(int revision, Document json) {
         String version = json.node("/game").asString("");
         json.error(
+                Cause.OTHER_VERSION,
                 isWithoutRevision(json) ? "/format" : REVISION,
                 () ->
                         "was played in revision "
@@ -137,12 +139,14 @@ public final class ReplayLoader {
         Optional<Level> level =
                 levels.stream().filter(one -> one.origin().equals(Optional.of(origin))).findFirst();
         if (level.isEmpty()) {
+            boolean isOfThis = origin.generator() == Generator.VERSION;
             json.error(
+                    isOfThis ? Cause.LEVEL_UNKNOWN : Cause.OTHER_VERSION,
                     ReplaySketch.MADE,
                     () ->
                             "belongs to the level of seed "
                                     + origin.seed()
-                                    + (origin.generator() == Generator.VERSION
+                                    + (isOfThis
                                             ? ", which has to be made first: open it in the game"
                                             : otherGenerator(origin.generator())));
         }
@@ -164,6 +168,7 @@ public final class ReplayLoader {
         if (json.node(pointer).isString() && level.isEmpty()) {
             List<String> ids = levels.stream().map(Level::id).toList();
             json.error(
+                    Cause.LEVEL_UNKNOWN,
                     pointer,
                     () ->
                             "belongs to the level \""
@@ -178,6 +183,7 @@ public final class ReplayLoader {
         if (hash.isPresent() && hash.getAsLong() != level.hash()) {
             String pointer = "/level/hash";
             json.error(
+                    Cause.LEVEL_CHANGED,
                     pointer,
                     () ->
                             "the level \""

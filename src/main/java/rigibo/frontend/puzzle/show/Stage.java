@@ -15,7 +15,6 @@ import rigibo.frontend.puzzle.session.Session;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.joint.JointPen;
 import rigibo.frontend.scene.joint.JointPicture;
@@ -32,11 +31,6 @@ final class Stage {
 
     /** Half the width of a joint's sign, px. */
     private static final double SIGN = 14;
-
-    /** Opacity of water, and of its surface. */
-    private static final double WATER = 0.22;
-
-    private static final double SURFACE = 0.7;
 
     /**
      * Radius of the dots along a driven body's path, the distance between two, and the radius of a
@@ -98,7 +92,10 @@ final class Stage {
                 drawWayThrough(canvas, piece);
             }
         }
-        game.level().world().waterLevel().ifPresent(level -> drawWater(canvas, level));
+        game.level()
+                .world()
+                .waterLevel()
+                .ifPresent(level -> Water.draw(canvas, camera.screenY(level)));
         marks.draw(canvas, meant);
     }
 
@@ -163,13 +160,6 @@ final class Stage {
             double dotY = y + share * (toY - y);
             canvas.disc(camera.screenX(dotX), camera.screenY(dotY), DOT, TRACK);
         }
-    }
-
-    /** Draws the water above the bodies, so that they look submerged. */
-    private void drawWater(Canvas canvas, double level) {
-        double y = camera.screenY(level);
-        canvas.panel(0, y, Scene.WIDTH, Scene.HEIGHT - y, 0, Color.ICE.alpha(WATER));
-        canvas.line(0, y, Scene.WIDTH, y, 2, Color.ICE.alpha(SURFACE));
     }
 
     private void body(Canvas canvas, RigidBody body, Skin skin, Canvas.Mood mood) {

@@ -6,6 +6,7 @@ import rigibo.frontend.puzzle.level.LevelBody;
 import rigibo.frontend.puzzle.level.World;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Scenery;
 
 /**
  * Fits the play between the bar at the top and the keys at the bottom. Levels leave a margin of
@@ -47,6 +48,11 @@ public final class View {
             highest = Math.max(highest, bounds.maxY);
         }
         return highest;
+    }
+
+    /** What is behind the level: where things fall as slowly as on the Moon, they are there. */
+    public Scenery scenery() {
+        return world.isOnTheMoon() ? Scenery.MOON : Scenery.WORKSHOP;
     }
 
     public Camera camera() {

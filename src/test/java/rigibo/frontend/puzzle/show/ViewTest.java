@@ -9,9 +9,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Scenery;
 
 /**
- * Whatever is open, the play of a level is between its foot and the keys, and inside the window.
+ * Whatever is open, the play of a level is between its foot and the keys, and inside the window,
+ * before what its gravity tells.
  */
 class ViewTest {
 
@@ -34,5 +36,13 @@ class ViewTest {
         assertThat(camera.screenX(0)).isGreaterThan(-1e-9);
         assertThat(camera.screenX(width)).isLessThan(Scene.WIDTH + 1e-9);
         assertThat(camera.screenX(width / 2)).isCloseTo(Scene.WIDTH / 2.0, within(1e-9));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, -9.81, WORKSHOP", "0, -1.62, MOON", "0, 0, WORKSHOP", "1.62, -1.62, WORKSHOP"})
+    void whereThingsFallAsOnTheMoonTheMoonIsSeen(double x, double y, Scenery seen) {
+        String gravity = "[" + x + ", " + y + "]";
+        View view = new View(LevelTexts.level(LevelTexts.with("[0, -9.81]", gravity)));
+        assertThat(view.scenery()).isEqualTo(seen);
     }
 }
