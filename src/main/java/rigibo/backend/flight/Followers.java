@@ -16,8 +16,9 @@ import java.util.Arrays;
  * that moves on, would go into it.
  *
  * <p>As the step begins, what may lead a body off is handed on from contact to contact ({@link
- * Ways}). Joints lead bodies off, too ({@link Sway}). A flyer that such a body would get into joins
- * its pile, and other bodies of piles within its reach get a contact with it.
+ * Ways}). A flyer that such a body would get into joins its pile, and other bodies of piles within
+ * its reach get a contact with it. A flyer also joins where joints may lead a body into it ({@link
+ * Sway}).
  */
 final class Followers {
 
@@ -70,7 +71,7 @@ final class Followers {
         for (int i = 0; i < count; i++) {
             add(pairs.active[i], dt);
         }
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; sway.isAny() && i < count; i++) {
             int pair = pairs.active[i];
             joinIfSwayed(pair, pairs.bodyA[pair], dt);
             joinIfSwayed(pair, pairs.bodyB[pair], dt);
@@ -85,15 +86,15 @@ final class Followers {
         } while (ways.contacts() > known);
     }
 
-    /** Joins the two of a pair if one of them is a body of a pile that joints may lead to it. */
+    /** Lets the flyer of a pair join if joints could lead the other body into it. */
     private void joinIfSwayed(int pair, int slot, double dt) {
-        boolean isMet = pairs.points[pair] > 0 && !paths.isFlyer(pairs.other(pair, slot));
-        if (isMet || !ways.mayMove(slot) || paths.isFlyer(slot)) {
+        boolean flies = paths.isFlyer(pairs.other(pair, slot));
+        if (!flies || paths.isFlyer(slot) || !ways.mayMove(slot)) {
             return;
         }
         double reach = sway.reach(slot, dt);
         if (reach > shareThatShows * bodies.smallestWidth[slot]) {
-            look(pair, slot, reach, dt);
+            joinIfMet(pair, slot, reach, dt);
         }
     }
 
@@ -127,20 +128,15 @@ final class Followers {
         searched[slot] = reach;
         bystanders.lookAlong(slot, dt, reach);
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-            look(p, slot, reach, dt);
-        }
-    }
-
-    /** Joins the two of a pair if one of them, of a pile, may get to the other by its reach, m. */
-    private void look(int pair, int slot, double reach, double dt) {
-        int other = pairs.other(pair, slot);
-        if (!ways.mayMove(other)) {
-            return;
-        }
-        if (paths.isFlyer(other)) {
-            joinIfMet(pair, slot, reach, dt);
-        } else if (pairs.points[pair] == 0 && bystanders.isWithinReach(pair, reach, 0, dt)) {
-            ways.add(pair, dt);
+            int other = pairs.other(p, slot);
+            if (!ways.mayMove(other)) {
+                continue;
+            }
+            if (paths.isFlyer(other)) {
+                joinIfMet(p, slot, reach, dt);
+            } else if (pairs.points[p] == 0 && bystanders.isWithinReach(p, reach, 0, dt)) {
+                ways.add(p, dt);
+            }
         }
     }
 

@@ -52,6 +52,11 @@ final class Sway {
         areKnown = false;
     }
 
+    /** Whether there are joints that may lead bodies off. */
+    boolean isAny() {
+        return joints != null && joints.active.count > 0;
+    }
+
     /** How far joints may lead a body off its straight path in a step of dt seconds, m. */
     double reach(int slot, double dt) {
         if (joints == null || joints.firstOf(slot) == JointStore.NONE) {
