@@ -383,7 +383,7 @@ public final class JointSolver {
         contactRows.write(h, substep);
         double settled = settled(fastest);
         work.begin();
-        boolean isSolved = solveRows(settled, fastest);
+        boolean isSolved = solveRows(settled);
         if (needed.isTaut()) {
             // Kicks along the rows of the start would tremble against what inertia has answered.
             places.leave();
@@ -401,15 +401,15 @@ public final class JointSolver {
     /**
      * Solves the rows; whether that could be done. A load and the friction that it makes may hold a
      * body from both sides, as a wedge is held: rows that ask for speeds which differ by the least
-     * then have no answer, or carry any stress. Their friction gives way a little.
+     * then have no answer. Their friction gives way a little.
      */
-    private boolean solveRows(double settled, double fastest) {
+    private boolean solveRows(double settled) {
         solver.beginAsBefore(packed, share);
-        boolean isSolved = solver.solve(settled) && !areStrained(fastest);
+        boolean isSolved = solver.solve(settled);
         for (int i = 0; i < GIVES_WAY.length && !isSolved && mayGiveWay(); i++) {
             work.takeBack();
             solver.beginSoftened(packed, share, GIVES_WAY[i]);
-            isSolved = solver.solve(settled) && !areStrained(fastest);
+            isSolved = solver.solve(settled);
         }
         return isSolved;
     }
@@ -465,7 +465,7 @@ public final class JointSolver {
         contactRows.writeAtRest(h, substep);
         double settled = settled(fastest);
         work.begin();
-        boolean isSolved = solveRows(settled, fastest);
+        boolean isSolved = solveRows(settled);
         secure(isSolved, allowed.isExceeded(false, noise), settled);
         finish();
     }

@@ -69,10 +69,11 @@ final class RowSolver {
     /** What rows with bounds give way by for what they carry else than in the kick before. */
     private final double nearness;
 
-    /** By row: target and give as they were written. */
+    /** By row: target, give and impulse as they were written. */
     private double[] aim = new double[64];
 
     private double[] give = new double[64];
+    private double[] carried = new double[64];
 
     /** Whether rows are kept near what they carried. */
     private boolean areNear;
@@ -122,14 +123,18 @@ final class RowSolver {
     }
 
     /**
-     * Begins anew with rows of which bodies have got nothing, none of them near what it carried
-     * before, and with friction that gives way by a share of its response.
+     * Begins anew with rows of which bodies have got nothing. Friction gives way, by a share of its
+     * response, to what it would carry else than before: what rests does not creep.
      */
     void beginSoftened(PackedJoints packed, double share, double softness) {
         for (int row = 0; row < rows.count; row++) {
             boolean isFriction = rows.contact[row] != NeutralRows.NONE && !rows.isPoint(row);
             rows.target[row] = aim[row];
-            rows.give[row] = isFriction ? softness * rows.response[row] : give[row];
+            rows.give[row] = give[row];
+            if (isFriction) {
+                rows.give[row] = softness * rows.response[row];
+                rows.target[row] += rows.give[row] * carried[row];
+            }
         }
         begin(packed, share, false);
     }
@@ -138,9 +143,11 @@ final class RowSolver {
         if (aim.length < rows.count) {
             aim = new double[rows.bodies.length];
             give = new double[rows.bodies.length];
+            carried = new double[rows.bodies.length];
         }
         System.arraycopy(rows.target, 0, aim, 0, rows.count);
         System.arraycopy(rows.give, 0, give, 0, rows.count);
+        System.arraycopy(rows.impulse, 0, carried, 0, rows.count);
     }
 
     private void begin(PackedJoints packed, double share, boolean isNear) {
