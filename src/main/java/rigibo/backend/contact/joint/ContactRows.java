@@ -134,7 +134,7 @@ final class ContactRows {
 
     /** The speed that the impulse of a row alone would give its bodies, m/s. */
     private double speedOf(int row) {
-        return Math.abs(rows.inMetres(row, rows.impulse[row])) * rows.response[row];
+        return rows.inMetres(row, rows.impulse[row]) * rows.response[row];
     }
 
     private int begin(int contact, int column) {

@@ -90,17 +90,19 @@ class RowSolverTest {
     /**
      * A load with a lever of 0.5 m turns a body to ω = t/0.5, and friction with a lever of 1 m
      * holds it: a wedge that locks itself, since friction bears twice what the load turns. Nothing
-     * but round-off bounds the stress. Friction that gives way by g to what it carries lets the
-     * body turn at ω = g·f; then load · 0.5 = ω + f.
+     * but round-off bounds the stress. Friction that gives way by g to what it carries else than c,
+     * as before, lets the body turn at ω = g·(f − c); then load · 0.5 = ω + f.
      */
     @ParameterizedTest
-    @CsvSource({"1e-4, 1e-3", "1e-2, 1e-3", "1e-4, 0.1"})
-    void frictionThatGivesWayFreesAWedgeOfStress(double target, double giving) {
+    @CsvSource({"1e-4, 1e-3, 0", "1e-2, 1e-3, 0", "1e-4, 0.1, 0", "1e-4, 1e-3, 0.5"})
+    void frictionThatGivesWayFreesAWedgeOfStress(double target, double giving, double before) {
         int load = contact(0.5, target);
         int friction = contact(1, 0);
         rows.load[friction] = load;
         rows.loads[friction] = 1;
         rows.share[friction] = 1;
+        rows.impulse[friction] = -before;
+        motions.data[BODY + Motions.SPIN] = -before;
         solver.beginAsBefore(null, 1);
         solver.solve(1e-9);
         assertThat(Math.abs(rows.impulse[load])).isGreaterThan(1e4 * target);
@@ -111,7 +113,7 @@ class RowSolverTest {
         boolean isSolved = solver.solve(1e-9);
         assertThat(isSolved).isTrue();
         double spin = target / 0.5;
-        double carried = spin / giving;
+        double carried = before + spin / giving;
         assertThat(motions.data[BODY + Motions.SPIN]).isCloseTo(spin, within(1e-8 * spin));
         assertThat(-rows.impulse[friction]).isCloseTo(carried, within(1e-6 * carried));
         assertThat(rows.impulse[load]).isCloseTo((spin + carried) / 0.5, within(1e-6 * carried));
