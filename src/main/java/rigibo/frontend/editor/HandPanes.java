@@ -74,7 +74,7 @@ final class HandPanes {
         shop.view().see(free(pane, places, findings), places.draft());
     }
 
-    /** What is left to the draft. */
+    /** The part of the window in which the draft is seen. */
     private Area free(Pane pane, EditorPlaces places, List<Finding> findings) {
         return open.map(leaf -> places.beside(drawer(pane, places, leaf, findings)))
                 .orElse(places.draft());

@@ -115,7 +115,7 @@ final class ContactRows {
         double most = STRAINED * Math.max(fastest, strongestDrive());
         boolean areStrained = false;
         for (int row = 0; !areStrained && row < rows.count; row++) {
-            areStrained = rows.isPoint(row) && speedOf(row) > most;
+            areStrained = rows.isPoint(row) && rows.ownSpeed(row) > most;
         }
         return areStrained;
     }
@@ -126,15 +126,10 @@ final class ContactRows {
         for (int row = 0; row < rows.count; row++) {
             boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
             if (isOfJoint && (rows.give[row] > 0 || !rows.isEquation(row))) {
-                most = Math.max(most, speedOf(row));
+                most = Math.max(most, rows.ownSpeed(row));
             }
         }
         return most;
-    }
-
-    /** The speed that the impulse of a row alone would give its bodies, m/s. */
-    private double speedOf(int row) {
-        return rows.inMetres(row, rows.impulse[row]) * rows.response[row];
     }
 
     private int begin(int contact, int column) {

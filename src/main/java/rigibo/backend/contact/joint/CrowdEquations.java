@@ -97,7 +97,7 @@ final class CrowdEquations {
         for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
             int row = equations.row[tree.equationOf[i]];
             if (row != EquationList.NONE) {
-                most = Math.max(most, rows.inMetres(row, rows.impulse[row]) * rows.response[row]);
+                most = Math.max(most, rows.ownSpeed(row));
             }
         }
         return most;

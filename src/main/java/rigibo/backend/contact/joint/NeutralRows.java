@@ -248,6 +248,11 @@ final class NeutralRows {
         return Math.abs(change) * unit[row];
     }
 
+    /** The speed that the impulse of a row alone would give it, m/s. */
+    double ownSpeed(int row) {
+        return inMetres(row, impulse[row]) * response[row];
+    }
+
     /** What an impulse of one row gives another through a body that both have, 1/kg. */
     double through(int row, int i, int other, int k) {
         return through(derivative, row, i, derivative, other, k);

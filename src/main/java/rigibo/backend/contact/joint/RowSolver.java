@@ -363,7 +363,7 @@ final class RowSolver {
     private double strongest() {
         double most = 0;
         for (int row = 0; row < rows.count; row++) {
-            most = Math.max(most, rows.inMetres(row, rows.impulse[row]) * rows.response[row]);
+            most = Math.max(most, rows.ownSpeed(row));
         }
         return most;
     }

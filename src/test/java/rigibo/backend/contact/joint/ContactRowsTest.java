@@ -2,7 +2,6 @@ package rigibo.backend.contact.joint;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 import rigibo.backend.contact.row.Motions;
@@ -10,21 +9,11 @@ import rigibo.backend.contact.row.Motions;
 /** When the loads of contacts are stress: by a load on a body of 2 kg, which j N·s make j/2 m/s. */
 class ContactRowsTest {
 
-    private static final int BODY = Motions.STRIDE;
+    private static final int BODY = OneBody.BODY;
 
-    private final Motions motions = new Motions(true);
+    private final Motions motions = OneBody.of(2);
     private final NeutralRows rows = new NeutralRows(motions, null);
     private final ContactRows contacts = new ContactRows(motions, null, rows, null);
-
-    @BeforeEach
-    void addBody() {
-        motions.data = new double[2 * Motions.STRIDE];
-        motions.slots = new int[2];
-        motions.reach = new double[] {1, 1};
-        motions.count = 2;
-        motions.data[BODY + Motions.INVERSE_MASS] = 0.5;
-        motions.data[BODY + Motions.INVERSE_INERTIA] = 0.5;
-    }
 
     private int along(double impulse) {
         int row = rows.add();

@@ -14,21 +14,15 @@ import rigibo.backend.setup.Accuracy;
 /** Rows of a joint with bounds, of a body of 1 kg and 1 kg·m². */
 class RowSolverTest {
 
-    private static final int BODY = Motions.STRIDE;
+    private static final int BODY = OneBody.BODY;
 
-    private final Motions motions = new Motions(true);
+    private final Motions motions = OneBody.of(1);
     private final NeutralRows rows = new NeutralRows(motions, null);
     private final RowElimination elimination = new RowElimination(motions, rows);
     private final RowSolver solver = new RowSolver(motions, rows, elimination, Accuracy.GAME);
 
     @BeforeEach
-    void addBody() {
-        motions.data = new double[2 * Motions.STRIDE];
-        motions.slots = new int[2];
-        motions.reach = new double[] {1, 1};
-        motions.count = 2;
-        motions.data[BODY + Motions.INVERSE_MASS] = 1;
-        motions.data[BODY + Motions.INVERSE_INERTIA] = 1;
+    void beginIsland() {
         elimination.beginIsland(1e6);
     }
 
