@@ -38,9 +38,9 @@ import java.util.stream.Stream;
 @Command(
         name = "bench",
         description =
-                "Times the steps of large scenes by every engine at hand, each in a process of its"
-                        + " own, and tells what became of the scenes. Interrupted, it goes on where"
-                        + " it was when it is started again. All of it takes about 12 minutes.")
+                "Times the steps of large scenes in every engine that is installed, and measures"
+                    + " the state of each scene. Every run is a process of its own. An interrupted"
+                    + " command continues where it stopped. All of it takes a quarter of an hour.")
 final class BenchCommand implements Callable<Integer> {
 
     private static final String SWEEP = "sweep";
@@ -54,24 +54,18 @@ final class BenchCommand implements Callable<Integer> {
             paramLabel = "SCENE",
             split = ",",
             description =
-                    "pyramid, large-pyramid, tumbler, flood, many-pyramids, free, level, sweep; all"
-                            + " of them unless said otherwise.")
+                    "pyramid, large-pyramid, undermined-sleeper, undermined-awake, tumbler, flood,"
+                            + " many-pyramids, free, level, sweep:"
+                            + " floods of 100 to 50,000 discs (default: all).")
     private List<String> scenes = List.of();
-
-    @Option(
-            names = "--sweep",
-            description =
-                    "Floods of 100 to 50,000 discs, and how their time grows: the same as"
-                            + " --scenes sweep.")
-    private boolean isSweep;
 
     @Option(
             names = "--engines",
             paramLabel = "ENGINE",
             split = ",",
             description =
-                    "rigibo, dyn4j, gdx-box2d, jbox2d, and box2d and rapier once ./rigibo peers has"
-                            + " built them; all that are at hand unless said otherwise.")
+                    "rigibo, dyn4j, gdx-box2d, jbox2d; box2d and rapier after ./rigibo peers"
+                            + " (default: all that are installed).")
     private List<String> engines = List.of();
 
     @Option(
@@ -79,15 +73,16 @@ final class BenchCommand implements Callable<Integer> {
             paramLabel = "N",
             defaultValue = "3",
             description =
-                    "How often every engine is given each scene in turn, 3 unless said otherwise.")
+                    "Rounds; in each, every engine runs every scene once (default:"
+                            + " ${DEFAULT-VALUE}).")
     private int rounds;
 
     @Option(
             names = "--steps",
             paramLabel = "N",
             description =
-                    "Steps timed of each scene, after no more than as many; a number of its own for"
-                            + " each unless said otherwise.")
+                    "Steps timed of each scene, after at most as many untimed ones (default: a"
+                            + " number for each scene).")
     private Integer steps;
 
     @Option(
@@ -97,25 +92,23 @@ final class BenchCommand implements Callable<Integer> {
             arity = "0..1",
             fallbackValue = ALL,
             description =
-                    "Scenes in which much moves, in place of those above: from each step's time to"
-                        + " the deepest overlap on the way, ours at every preset. All of them where"
-                        + " none is named: rain-boxes-10 to rain-mixed-1500, settle-20, settle-30,"
-                        + " settle-50, struck, towers, belt, shaken, rods, compounds, capsules,"
-                        + " cave.")
+                    "Moving scenes in place of those above: the time of every step, and the deepest"
+                            + " overlap. Without a name all of them; docs/performance.md lists"
+                            + " them.")
     private List<String> moving = List.of();
 
     @Option(
             names = "--queries",
             description =
-                    "Rays among 10,000 discs by ours and by gdx-box2d, and what sensors cost, in"
-                            + " place of scenes.")
+                    "In place of scenes: rays among 10,000 discs in ours and in gdx-box2d, and the"
+                            + " cost of sensors.")
     private boolean areQueries;
 
     @Option(
             names = "--large",
             description =
-                    "What a body costs in worlds of 10,000 and of 100,000 bodies, ours alone, in"
-                            + " place of scenes.")
+                    "In place of scenes: the cost of a body in worlds of 10,000 and 100,000"
+                            + " bodies, ours only.")
     private boolean areLarge;
 
     @Option(
@@ -123,9 +116,9 @@ final class BenchCommand implements Callable<Integer> {
             paramLabel = "N",
             split = ",",
             description =
-                    "Numbers of workers, such as 1,2: the moving scenes, or those of --scenes, by"
-                            + " ours alone at GAME, each step by every number in turn, by the wall"
-                            + " clock. It needs as many cores that do nothing else.")
+                    "Numbers of workers, such as 1,2: times each step of the moving scenes, or of"
+                            + " --scenes, with each number in turn, by the wall clock; ours only,"
+                            + " at GAME. Needs as many idle cores.")
     private List<Integer> workers = List.of();
 
     @Option(
@@ -133,8 +126,8 @@ final class BenchCommand implements Callable<Integer> {
             paramLabel = "PRESET",
             split = ",",
             description =
-                    "DRAFT, GAME, FINE, EXACT: ours in those scenes; all of them unless said"
-                            + " otherwise. EXACT takes hours where hundreds of bodies rain.")
+                    "Presets of ours in moving scenes: DRAFT, GAME, FINE, EXACT (default: all)."
+                            + " EXACT takes hours where hundreds of bodies rain.")
     private List<String> presets = List.of();
 
     @Option(
@@ -142,13 +135,13 @@ final class BenchCommand implements Callable<Integer> {
             paramLabel = "N",
             defaultValue = "7",
             description =
-                    "How often each step of a moving scene is timed, 7 unless said otherwise.")
+                    "How often each step of a moving scene is timed (default: ${DEFAULT-VALUE}).")
     private int runs;
 
     @Option(
             names = "--csv",
             paramLabel = "FILE",
-            description = "Writes every run as CSV, a line for each scene, engine and round.")
+            description = "Writes a line of CSV for each scene, engine and round.")
     private Path csv;
 
     @Option(
@@ -161,19 +154,21 @@ final class BenchCommand implements Callable<Integer> {
             names = "--out",
             paramLabel = "DIR",
             defaultValue = "build/bench",
-            description = "Where runs are kept, build/bench unless said otherwise.")
+            description = "Where runs are kept (default: ${DEFAULT-VALUE}).")
     private Path out;
 
     @Spec private CommandSpec spec;
 
     @Override
     public Integer call() {
-        requireWithin("--rounds", rounds, MOST_ROUNDS);
+        Options.requireBetween(spec, "--rounds", rounds, 1, MOST_ROUNDS);
         if (steps != null) {
-            requireWithin("--steps", steps, MOST_STEPS);
+            Options.requireBetween(spec, "--steps", steps, 1, MOST_STEPS);
         }
-        requireWithin("--runs", runs, MOST_ROUNDS);
-        workers.forEach(count -> requireWithin("--workers", count, Pool.MOST_WORKERS));
+        Options.requireBetween(spec, "--runs", runs, 1, MOST_ROUNDS);
+        for (int count : workers) {
+            Options.requireBetween(spec, "--workers", count, 1, Pool.MOST_WORKERS);
+        }
         Destination.requireFile(spec, "--csv", csv);
         Destination.requireFile(spec, "--markdown", page);
         Destination.requireDirectory(spec, "--out", out);
@@ -181,7 +176,6 @@ final class BenchCommand implements Callable<Integer> {
         Engines.missing().forEach(this::tell);
         try {
             found().forEach(written::println);
-            written.flush();
             return 0;
         } catch (IllegalStateException | IOException | UncheckedIOException cause) {
             tell("FAILED: " + cause.getMessage());
@@ -239,7 +233,7 @@ final class BenchCommand implements Callable<Integer> {
                 .make(Optional.ofNullable(csv), Optional.ofNullable(page), this::tell);
     }
 
-    /** Those that were named; all if none was. */
+    /** The scenes that were named, or all. */
     private List<BenchScene> movingScenes() {
         List<BenchScene> known = MovingScenes.all();
         if (moving.isEmpty() || moving.equals(List.of(ALL))) {
@@ -276,13 +270,13 @@ final class BenchCommand implements Callable<Integer> {
         List<String> names = new ArrayList<>(known.stream().map(BenchScene::name).toList());
         names.add(SWEEP);
         Options.requireKnown(spec, "--scenes", scenes, names);
-        boolean isAll = scenes.isEmpty() && !isSweep;
+        boolean isAll = scenes.isEmpty();
         List<BenchScene> chosen =
                 new ArrayList<>(
                         known.stream()
                                 .filter(scene -> isAll || scenes.contains(scene.name()))
                                 .toList());
-        if (isAll || isSweep || scenes.contains(SWEEP)) {
+        if (isAll || scenes.contains(SWEEP)) {
             chosen.addAll(BenchScenes.sweep());
         }
         return steps == null ? chosen : chosen.stream().map(scene -> scene.timing(steps)).toList();
@@ -297,23 +291,16 @@ final class BenchCommand implements Callable<Integer> {
                 .toList();
     }
 
-    private void requireWithin(String option, int value, int most) {
-        if (value < 1 || value > most) {
-            throw Options.refused(spec, option, "must be 1 to " + most + ", was " + value);
-        }
-    }
-
     private Environment environment() {
         String today = LocalDate.now().toString();
         return new Environment(
                 Machine.words(), Machine.jvm(), "", Machine.commit(), today, command());
     }
 
-    /** What was asked, as it was typed, where to write it left out. */
+    /** The command as it was typed, without the files to write. */
     private String command() {
         return "./rigibo bench"
                 + (scenes.isEmpty() ? "" : " --scenes " + String.join(",", scenes))
-                + (isSweep ? " --sweep" : "")
                 + (engines.isEmpty() ? "" : " --engines " + String.join(",", engines))
                 + (areQueries ? " --queries --runs " + runs : "")
                 + (areLarge ? " --large" : "")
@@ -321,7 +308,7 @@ final class BenchCommand implements Callable<Integer> {
                 + (steps == null ? "" : " --steps " + steps);
     }
 
-    /** How often scenes are timed, and which of them move. */
+    /** The options that say how often scenes are timed, and which moving ones. */
     private String timed() {
         if (moving.isEmpty() && workers.isEmpty()) {
             return " --rounds " + rounds;
@@ -335,8 +322,6 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     private void tell(String words) {
-        PrintWriter err = spec.commandLine().getErr();
-        err.println(words);
-        err.flush();
+        spec.commandLine().getErr().println(words);
     }
 }

@@ -22,8 +22,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The process that the bench times a scene in. It stands here and not in the laboratory, since one
- * of the scenes is a level, which the laboratory cannot read.
+ * The process in which the bench times a scene. It is outside the laboratory because one of the
+ * scenes is a level, which the laboratory cannot read.
  */
 final class BenchProcess {
 
@@ -32,9 +32,9 @@ final class BenchProcess {
     private BenchProcess() {}
 
     /**
-     * Measures and prints what was found.
+     * Measures, and prints the result.
      *
-     * @param arguments names of the scene and of the engine, and the pace in its own words
+     * @param arguments names of the scene and of the engine, and the pace as text
      */
     public static void main(String[] arguments) {
         String name = arguments[0];
@@ -45,7 +45,7 @@ final class BenchProcess {
         System.out.println(BenchProbe.MARK + Fields.line(sample));
     }
 
-    /** The first level of the game, which nobody plays: everything in it stays where it is. */
+    /** The first level of the game without a player, so that nothing in it moves. */
     static BenchScene level() {
         return new BenchScene(
                 LEVEL,
@@ -68,7 +68,7 @@ final class BenchProcess {
         return new Scene(awake(level.world().effects()), bodies);
     }
 
-    /** Sleep would leave nothing to time. */
+    /** The effects without sleep, which would leave nothing to time. */
     private static Effects awake(Effects effects) {
         return effects.declares(Sleep.class) ? effects.without(Sleep.class) : effects;
     }

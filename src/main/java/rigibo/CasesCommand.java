@@ -20,23 +20,23 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 
-/** Runs the hard cases, without a window, and says how far each is from its limit. */
+/** Runs the hard cases, and prints how far each is from its limit. */
 @Command(
         name = "cases",
         description =
-                "Runs the hard cases, without a window: a line for each case and preset with the"
-                        + " figure that comes nearest to its limit, the limit, how many times the"
-                        + " figure fits into it, and the work that was done.")
+                "Runs the hard cases. Prints a line for each case and preset: the figure nearest to"
+                        + " its limit, the limit, the limit divided by the figure, and the work"
+                        + " done.")
 final class CasesCommand implements Callable<Integer> {
 
-    /** Progress is told this many times in all. */
+    /** The number of progress messages in a run. */
     private static final int TIMES_TOLD = 20;
 
     @Option(
             names = "--preset",
             paramLabel = "PRESET",
             split = ",",
-            description = "${COMPLETION-CANDIDATES}; all of them unless said otherwise.")
+            description = "${COMPLETION-CANDIDATES} (default: all).")
     private List<Preset> presets = List.of(Preset.values());
 
     @Option(
@@ -44,29 +44,32 @@ final class CasesCommand implements Callable<Integer> {
             paramLabel = "ROW",
             split = ",",
             description =
-                    "Rows of the list, such as 55 or 20/10, with all their figures. Row 59, an hour"
-                        + " of simulated time, and the largest crowds of M1 and M16 run only when"
-                        + " they are named here.")
+                    "Runs only these rows, such as 55 or 20/10, and prints all their figures. Row"
+                            + " 59 (an hour of simulated time), M1/…/1500 and M16 run only when"
+                            + " they are named here.")
     private List<String> rows = List.of();
 
     @Option(
             names = "--full",
             description =
-                    "Every variant of the cases that have many: a few of each are tried unless it"
-                            + " is said. Takes hours.")
+                    "Runs every variant of a case; without it, a few of those that have many. Takes"
+                            + " hours.")
     private boolean isFull;
 
     @Option(
             names = "--seed",
             paramLabel = "N",
             defaultValue = "1",
-            description = "Draws the variants of such cases, 1 unless said otherwise.")
+            description = "Seed of the variants that are drawn (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Option(names = "--csv", paramLabel = "FILE", description = "Writes every figure as CSV.")
     private Path csv;
 
-    @Option(names = "--markdown", paramLabel = "FILE", description = "Writes the page.")
+    @Option(
+            names = "--markdown",
+            paramLabel = "FILE",
+            description = "Writes the page, docs/hard-cases.md.")
     private Path page;
 
     @Spec private CommandSpec spec;
@@ -84,7 +87,6 @@ final class CasesCommand implements Callable<Integer> {
         long failed = results.size() - passed;
         PrintWriter out = spec.commandLine().getOut();
         out.println(passed + " passed, " + failed + " failed");
-        out.flush();
         return isWritten && failed == 0 && passed > 0 ? 0 : 1;
     }
 
@@ -102,13 +104,10 @@ final class CasesCommand implements Callable<Integer> {
         out.println(CaseTable.line(result));
         (rows.isEmpty() ? CaseTable.failures(result) : CaseTable.figures(result))
                 .forEach(out::println);
-        out.flush();
         int before = told * TIMES_TOLD / count;
         told++;
         if (told * TIMES_TOLD / count > before) {
-            PrintWriter err = spec.commandLine().getErr();
-            err.println(told + " of " + count + " done");
-            err.flush();
+            spec.commandLine().getErr().println(told + " of " + count + " done");
         }
     }
 
@@ -128,7 +127,7 @@ final class CasesCommand implements Callable<Integer> {
         }
     }
 
-    /** What was asked of this run, as it was typed. */
+    /** The options as they were typed. */
     private String options() {
         String chosen = rows.isEmpty() ? "" : " --only " + String.join(",", rows);
         boolean isAll = presets.equals(List.of(Preset.values()));

@@ -6,15 +6,15 @@ import picocli.CommandLine.ParameterException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Where a command is asked to write. It is told at once, not after minutes, that it cannot. */
+/** Checks of where a command is to write, made before its work, which may take hours. */
 final class Destination {
 
     private Destination() {}
 
     /**
-     * A file that need not be there, in a directory that is.
+     * Checks that a file can be written in an existing directory.
      *
-     * @param file null where nothing was asked for
+     * @param file null if none was asked for
      * @throws ParameterException naming option and file
      */
     static void requireFile(CommandSpec spec, String option, Path file) {
@@ -28,7 +28,7 @@ final class Destination {
     }
 
     /**
-     * A directory, or nothing yet.
+     * Checks that a path is a directory or does not exist.
      *
      * @throws ParameterException naming option and path
      */

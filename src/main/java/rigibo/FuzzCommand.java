@@ -18,82 +18,76 @@ import java.util.concurrent.Callable;
 @Command(
         name = "fuzz",
         description =
-                "Gives the engine random programs and the game mutated files, and names the first"
+                "Gives the engine random programs and the game mutated files. Writes down the first"
                         + " that goes wrong: as Java, or as a file.")
 final class FuzzCommand implements Callable<Integer> {
 
-    private static final double MOST_MINUTES = 24 * 60;
     private static final double MINUTES = 10;
     private static final double SOAK_MINUTES = 60;
 
     @Option(
             names = "--minutes",
             paramLabel = "M",
-            description = "How long it tries, 10 unless said otherwise, a soak 60.")
+            description = "How long it tries (default: 10; 60 for SOAK).")
     private Double minutes;
-
-    @Option(
-            names = "--soak",
-            description =
-                    "One pool for hours of its own time: bodies come and go, and nothing may grow.")
-    private boolean isSoak;
 
     @Option(
             names = "--programs",
             paramLabel = "N",
-            description = "How many programs are tried, in place of the minutes.")
+            description = "Tries this many programs, in place of --minutes.")
     private Long programs;
 
     @Option(
             names = "--files",
             paramLabel = "N",
-            description = "How many files are tried, in place of the minutes.")
+            description = "Tries this many files, in place of --minutes.")
     private Long files;
 
     @Option(
             names = "--seed",
             paramLabel = "S",
             defaultValue = "1",
-            description = "The same seed tries the same, 1 unless said otherwise.")
+            description = "Seed of programs and files (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Option(
             names = "--first",
             paramLabel = "I",
             defaultValue = "0",
-            description = "The first of the seed's programs and files that is tried.")
+            description =
+                    "Number of the seed's first program and file (default: ${DEFAULT-VALUE}).")
     private long first;
 
     @Option(
             names = "--failures",
             paramLabel = "N",
             defaultValue = "1",
-            description = "After how many failures it ends, 1 unless said otherwise.")
+            description = "Ends after this many failures (default: ${DEFAULT-VALUE}).")
     private long failures;
 
     @Option(
             names = "--only",
             paramLabel = "PART",
             defaultValue = "BOTH",
-            description = "engine, files or soak; engine and files unless said otherwise.")
+            description =
+                    "${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}). SOAK: one pool in which"
+                            + " bodies come and go, and whose memory may not grow.")
     private Only only;
 
     @Spec private CommandSpec spec;
 
     @Override
     public Integer call() throws InterruptedException {
-        if (minutes != null && !(minutes > 0 && minutes <= MOST_MINUTES)) {
-            String range = "must be more than 0 and at most " + (int) MOST_MINUTES;
-            throw Options.refused(spec, "--minutes", range + ", was " + minutes);
+        if (minutes != null) {
+            Options.requireMinutes(spec, "--minutes", minutes);
         }
         requireCount("--programs", programs);
         requireCount("--files", files);
-        Fuzz fuzz = new Fuzz(isSoak ? Only.SOAK : only, Path.of("build", "fuzz"));
+        Fuzz fuzz = new Fuzz(only, Path.of("build", "fuzz"));
         List<String> wrong = fuzz.run(order().failures(failures), this::tell);
         PrintWriter out = spec.commandLine().getOut();
         wrong.forEach(out::println);
         out.println(fuzz.tally() + ": " + (wrong.isEmpty() ? "nothing found" : "FAILED"));
-        out.flush();
         return wrong.isEmpty() ? 0 : 1;
     }
 
@@ -104,7 +98,7 @@ final class FuzzCommand implements Callable<Integer> {
     }
 
     private double usualMinutes() {
-        return isSoak ? SOAK_MINUTES : MINUTES;
+        return only == Only.SOAK ? SOAK_MINUTES : MINUTES;
     }
 
     private static long orNone(Long count) {
@@ -118,8 +112,6 @@ final class FuzzCommand implements Callable<Integer> {
     }
 
     private void tell(String words) {
-        PrintWriter err = spec.commandLine().getErr();
-        err.println(words);
-        err.flush();
+        spec.commandLine().getErr().println(words);
     }
 }

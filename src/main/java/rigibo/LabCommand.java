@@ -28,12 +28,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 
-/** The laboratory, without a window: measures and writes tables and figures. */
+/** Measures accuracy or the cost of effects, and writes tables and figures. */
 @Command(
         name = "lab",
         description =
-                "Measures, without a window, and writes tables and figures. Interrupted, it goes"
-                        + " on where it was when it is started again.")
+                "Measures accuracy or the cost of effects, and writes tables and figures. An"
+                        + " interrupted command continues where it stopped.")
 final class LabCommand implements Callable<Integer> {
 
     @Option(
@@ -41,11 +41,9 @@ final class LabCommand implements Callable<Integer> {
             paramLabel = "FIGURES",
             split = ",",
             description =
-                    "${COMPLETION-CANDIDATES}; ACCURACY unless said otherwise. ACCURACY: the error"
-                            + " of every setting beside its time, for every reference problem, and"
-                            + " of other engines. EFFECTS: that undeclared effects cost nothing,"
-                            + " what declared ones cost, and what each scene would save without"
-                            + " each of its own; this takes most of an hour.")
+                    "ACCURACY: error and time of every setting and of other engines, for every"
+                            + " reference problem. EFFECTS: the cost of effects, declared and"
+                            + " undeclared; takes most of an hour (default: ACCURACY).")
     private List<Figures> figures = List.of(Figures.ACCURACY);
 
     @ArgGroup private Haste haste = new Haste();
@@ -54,16 +52,15 @@ final class LabCommand implements Callable<Integer> {
             names = "--scenes",
             paramLabel = "SCENE",
             split = ",",
-            description =
-                    "Which problems (R1 and so on) and scenes are run; all of them unless said"
-                            + " otherwise.")
+            description = "Problems (R1, R2, ...), or scenes of effects (default: all).")
     private List<String> scenes = List.of();
 
     @Option(
             names = "--runs",
             paramLabel = "N",
             defaultValue = "20",
-            description = "Pairs of runs of each comparison of effects, 20 unless said otherwise.")
+            description =
+                    "Pairs of runs in each comparison of effects (default: ${DEFAULT-VALUE}).")
     private int runs;
 
     @Option(
@@ -71,20 +68,20 @@ final class LabCommand implements Callable<Integer> {
             paramLabel = "N",
             defaultValue = "1",
             description =
-                    "Of the scenes' chance and of the order of runs, 1 unless said otherwise.")
+                    "Seed of random scenes and of the order of runs (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Option(
             names = "--out",
             paramLabel = "DIR",
             defaultValue = "build/lab",
-            description = "Where everything is written, build/lab unless said otherwise.")
+            description = "Where everything is written (default: ${DEFAULT-VALUE}).")
     private Path out;
 
     @Option(
             names = "--markdown",
             paramLabel = "FILE",
-            description = "Writes the page too, of the one kind of figures that was asked for.")
+            description = "Also writes the page: docs/accuracy.md or docs/effects.md.")
     private Path page;
 
     @Spec private CommandSpec spec;
@@ -95,20 +92,16 @@ final class LabCommand implements Callable<Integer> {
         EFFECTS
     }
 
-    /** How long it may take. */
+    /** How much is measured. */
     private static final class Haste {
         @Option(
                 names = "--quick",
                 description =
-                        "Presets and other engines only: a minute and a half, and the long"
-                                + " problems, which take minutes each. The usual way.")
+                        "Presets and other engines only: a minute and a half, and some minutes for"
+                                + " each of the long problems (default).")
         private boolean isQuick;
 
-        @Option(
-                names = "--full",
-                description =
-                        "Every knob, carefully, and the hard cases: hours. Of long problems, those"
-                                + " of crowds, presets and other engines only, once each.")
+        @Option(names = "--full", description = "Sweeps every knob and runs the hard cases: hours.")
         private boolean isFull;
     }
 
@@ -124,7 +117,6 @@ final class LabCommand implements Callable<Integer> {
                 make(one).forEach(written::println);
             }
             written.println("written to " + out.toAbsolutePath().normalize());
-            written.flush();
             return 0;
         } catch (IllegalStateException | IOException | UncheckedIOException cause) {
             tell("FAILED: " + cause.getMessage());
@@ -157,7 +149,7 @@ final class LabCommand implements Callable<Integer> {
         }
     }
 
-    /** Those of some names that were asked for: all of them where nothing was said. */
+    /** The names that were asked for, or all of them. */
     private List<String> asked(List<String> names) {
         return scenes.isEmpty() ? names : names.stream().filter(scenes::contains).toList();
     }
@@ -181,7 +173,7 @@ final class LabCommand implements Callable<Integer> {
                 + (scenes.isEmpty() ? "" : " --scenes " + String.join(",", scenes));
     }
 
-    /** What was asked of a report of effects, as it was typed. */
+    /** The options of a report of effects, as they were typed. */
     private String options() {
         return (scenes.isEmpty() ? "" : " --scenes " + String.join(",", scenes))
                 + (" --runs " + runs)
@@ -197,7 +189,7 @@ final class LabCommand implements Callable<Integer> {
         Options.requireKnown(spec, "--scenes", scenes, known);
     }
 
-    /** It is told at once, not after half an hour of work, that something has nowhere to go. */
+    /** Refuses what cannot be written before half an hour of work, not after it. */
     private void requireFiles() {
         Destination.requireDirectory(spec, "--out", out);
         Destination.requireFile(spec, "--markdown", page);
@@ -207,8 +199,6 @@ final class LabCommand implements Callable<Integer> {
     }
 
     private void tell(String words) {
-        PrintWriter err = spec.commandLine().getErr();
-        err.println(words);
-        err.flush();
+        spec.commandLine().getErr().println(words);
     }
 }

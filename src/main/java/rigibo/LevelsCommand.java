@@ -18,12 +18,12 @@ import java.util.List;
 /** Works on level files, without a window. */
 @Command(name = "levels", description = "Works on level files, without a window.")
 final class LevelsCommand implements Runnable {
-    /** Most levels that a call makes: some days of one core. */
+    /** Most levels of one call, which take days on one core. */
     private static final int MOST_LEVELS = 100_000;
 
     @Spec private CommandSpec spec;
 
-    /** {@code levels} alone asks for nothing. */
+    /** Refuses {@code levels} without a command of its own. */
     @Override
     public void run() {
         throw new ParameterException(spec.commandLine(), "What to do with the levels?");
@@ -33,22 +33,20 @@ final class LevelsCommand implements Runnable {
     @Command(
             name = "check",
             description = {
-                "Validates level files and plays them without a window, at every accuracy: stored",
-                "solutions must win, also with everything up to 10 mm aside, and a search among"
-                        + " orders",
-                "and times of clicks, a sample where there are many, must find none that wins with"
-                        + " fewer",
-                "than par; it tells how often others do."
+                "Validates level files and plays them at every accuracy. Stored solutions must win,"
+                        + " also with every body up to 10 mm aside. A search among orders and times"
+                        + " of clicks, by a sample where there are many, must find none that wins"
+                        + " with fewer than par. The share of orders that win is printed."
             })
     int check(
             @Option(
                             names = "--accuracy",
                             paramLabel = "PRESET",
-                            description = "Only DRAFT, GAME, FINE or EXACT, which is faster.")
+                            description = "Only at DRAFT, GAME, FINE or EXACT, which is faster.")
                     Preset accuracy,
             @Parameters(
                             paramLabel = "FILE",
-                            description = "Level files; without any, all of the game's own.")
+                            description = "Level files (default: all levels of the game).")
                     List<Path> files) {
         List<Preset> presets = accuracy == null ? List.of(Preset.values()) : List.of(accuracy);
         LevelsCheck check = new LevelsCheck(presets, spec.commandLine().getOut());
@@ -59,43 +57,37 @@ final class LevelsCommand implements Runnable {
     @Command(
             name = "generate",
             description = {
-                "Makes the level of a seed and prints it as a level file, and on the error output",
-                "what a check finds out about it. A seed has the same level on every machine. Only",
-                "what 'levels check --accuracy GAME' passes is kept, with a par of 2 to 5, at most"
-                        + " 30 %%",
-                "of the orders that win, and a first click that looks right and loses the ball."
+                "Makes the level of a seed and prints it as a level file; the result of its check"
+                        + " goes to the error output. A seed gives the same level on every machine."
+                        + " Each level passes 'levels check --accuracy GAME', has a par of 2 to 5,"
+                        + " is won by at most 30 %% of all orders, and has a first click that looks"
+                        + " right and loses the ball."
             })
     int generate(
             @Option(
                             names = "--seed",
                             required = true,
                             paramLabel = "N",
-                            description = "Decides the level; 0 to 999999999999.")
+                            description = "Seed of the level, 0 to 999999999999.")
                     long seed,
             @Option(
                             names = "--count",
                             paramLabel = "K",
                             defaultValue = "1",
                             description =
-                                    "Levels of this many seeds in a row, from N on; 1 to 100000.")
+                                    "Makes the levels of this many seeds, from N on, 1 to 100000"
+                                            + " (default: ${DEFAULT-VALUE}).")
                     int count,
             @Option(
                             names = "--summary",
                             description =
-                                    "No levels, only what they are like, a line each, and"
-                                            + " together.")
+                                    "Prints a line about each level, and one about all, in place"
+                                            + " of the files.")
                     boolean isSummary) {
-        requireBetween("--count", count, 1, MOST_LEVELS);
-        requireBetween("--seed", seed, 0, Generator.LAST_SEED - count + 1);
+        Options.requireBetween(spec, "--count", count, 1, MOST_LEVELS);
+        Options.requireBetween(spec, "--seed", seed, 0, Generator.LAST_SEED - count + 1);
         LevelsGenerate generate =
                 new LevelsGenerate(spec.commandLine().getOut(), spec.commandLine().getErr());
         return isSummary ? generate.summary(seed, count) : generate.print(seed, count);
-    }
-
-    private void requireBetween(String option, long value, long least, long most) {
-        if (value < least || value > most) {
-            throw Options.refused(
-                    spec, option, "must be " + least + " to " + most + ", was " + value);
-        }
     }
 }

@@ -9,14 +9,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What a figure was measured on. */
+/** The machine and the commit that a figure was measured on. */
 final class Machine {
 
     private static final Path LINUX_PROCESSORS = Path.of("/proc/cpuinfo");
 
     private Machine() {}
 
-    /** Processor, how many of them, operating system and Java, in one phrase. */
+    /** Number and name of the processors, operating system and Java, in one phrase. */
     static String words() {
         return String.join(
                 ", ",
@@ -32,8 +32,8 @@ final class Machine {
     }
 
     /**
-     * The commit that is run, with a word where files differ from it; "unknown" outside a
-     * repository.
+     * The commit that is run, followed by "with changes" if files differ from it; "unknown" outside
+     * a repository.
      */
     static String commit() {
         String commit = git("rev-parse", "--short=10", "HEAD");
@@ -57,7 +57,7 @@ final class Machine {
         }
     }
 
-    /** The processor's own name where the system tells it. */
+    /** The processor's name; "processor" where the system does not tell it. */
     private static String processor() {
         try (Stream<String> lines = Files.lines(LINUX_PROCESSORS)) {
             Optional<String> name =

@@ -10,7 +10,7 @@ import picocli.CommandLine.Spec;
 
 import java.io.PrintWriter;
 
-/** The game's command line: one subcommand for each thing that can be started. */
+/** The command line, with a subcommand for each thing that can be started. */
 @Command(
         name = "rigibo",
         description = "A desktop physics puzzle on an engine of its own.",
@@ -32,8 +32,8 @@ public final class Main implements Runnable {
     @Spec private CommandSpec spec;
 
     /**
-     * Runs the command and ends the process with its exit code: 0 when it did what was asked, 1
-     * when it failed, 2 when the command was not understood.
+     * Runs the command and ends the process with its exit code: 0 for success, 1 for failure, 2 for
+     * a command that was not understood.
      */
     public static void main(String[] arguments) {
         System.exit(
@@ -53,20 +53,20 @@ public final class Main implements Runnable {
                 .execute(arguments);
     }
 
-    /** Lets a command and its subcommands be asked what they do; "help" already can be. */
+    /** Adds {@code --help} to a command and its subcommands, except "help", which has it. */
     private static void addHelp(CommandLine command) {
         if (!(command.getCommand() instanceof HelpCommand)) {
             command.getCommandSpec()
                     .addOption(
                             OptionSpec.builder("-h", "--help")
                                     .usageHelp(true)
-                                    .description("Says what the command does and what it takes.")
+                                    .description("Prints this.")
                                     .build());
         }
         command.getSubcommands().values().forEach(Main::addHelp);
     }
 
-    /** No command at all: says which there are. */
+    /** Refuses a call without a command, and lists the commands. */
     @Override
     public void run() {
         throw new ParameterException(spec.commandLine(), "Which command?");

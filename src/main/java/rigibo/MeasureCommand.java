@@ -16,7 +16,7 @@ import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 
-/** Measures what {@code docs/playing.md} claims about time. */
+/** Measures the times that {@code docs/playing.md} states. */
 @Command(
         name = "measure",
         description =
@@ -35,7 +35,7 @@ final class MeasureCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         PrintWriter out = spec.commandLine().getOut();
-        // First, for it is told from the start of the process; levels are read as play does it.
+        // Comes first, since it counts from the start of the process; levels load as in play.
         CompletableFuture.runAsync(Catalog::entries);
         WindowTiming.Result windows = WindowTiming.measure(Catalog::menu, Catalog::entries);
         out.printf(

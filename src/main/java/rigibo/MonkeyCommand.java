@@ -21,58 +21,54 @@ import javax.management.Notification;
 import javax.management.NotificationEmitter;
 import javax.management.openmbean.CompositeData;
 
-/** Lets a monkey play, and tells what became of the process. */
+/** Plays by random input, and reports exceptions, errors of OpenGL, and growth of memory. */
 @Command(
         name = "monkey",
         description =
-                "Random input in real windows: nothing may be thrown, OpenGL may not complain, and"
-                        + " memory may not grow.")
+                "Gives real windows random input. Fails if an exception is thrown, OpenGL reports"
+                        + " an error, or memory grows.")
 final class MonkeyCommand implements Callable<Integer> {
 
     private static final int TURNS_PER_MINUTE = 3600;
-    private static final double MOST_MINUTES = 24 * 60;
 
-    /** Of the heap after a collection, MB: caches that fill once are no leak. */
+    /** The growth of the heap that is allowed, MB: caches that fill once are no leak. */
     private static final double MOST_GROWTH = 16;
 
     private static final double MEGABYTE = 1 << 20;
 
-    /** The cause of the collections that only find out what is in use. */
+    /** The cause of the collections that {@link #heap} asks for. */
     private static final String OURS = "System.gc()";
 
-    /** What collectors that work beside the game call their work, which is no pause. */
+    /** The end of the names of concurrent collectors' work, which is no pause. */
     private static final String BESIDE = "Cycles";
 
     @Option(
             names = "--minutes",
             paramLabel = "M",
             defaultValue = "10",
-            description = "How long it plays, 10 unless said otherwise.")
+            description = "How long it plays (default: ${DEFAULT-VALUE}).")
     private double minutes;
 
     @Option(
             names = "--seed",
             paramLabel = "N",
             defaultValue = "1",
-            description = "The same seed does the same, 1 unless said otherwise.")
+            description = "Seed of the input (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Spec private CommandSpec spec;
 
-    /** ms; collections are told of on a thread of their own. */
+    /** The longest pause, ms. Another thread writes it. */
     private final AtomicLong longestPause = new AtomicLong();
 
     @Override
     public Integer call() {
-        if (!(minutes > 0 && minutes <= MOST_MINUTES)) {
-            String range = "must be more than 0 and at most " + (int) MOST_MINUTES;
-            throw Options.refused(spec, "--minutes", range + ", was " + minutes);
-        }
+        Options.requireMinutes(spec, "--minutes", minutes);
         PrintWriter out = spec.commandLine().getOut();
         listen();
         int turns = (int) Math.max(2, minutes * TURNS_PER_MINUTE);
         try {
-            // A fifth of it fills what is filled once: classes, caches, fonts.
+            // The first fifth fills what is filled once: classes, caches, fonts.
             Monkey.Report first = Monkey.play(Catalog::menu, Catalog.entries(), turns / 5, seed);
             double before = heap();
             Monkey.Report rest =
@@ -97,14 +93,14 @@ final class MonkeyCommand implements Callable<Integer> {
         }
     }
 
-    /** What is in use when everything that can go is gone, MB. */
+    /** The heap in use after a collection, MB. */
     private static double heap() {
         System.gc();
         Runtime runtime = Runtime.getRuntime();
         return (runtime.totalMemory() - runtime.freeMemory()) / MEGABYTE;
     }
 
-    /** Notes how long collections take that the game caused, ms. */
+    /** Records the pauses of collections that the game causes. */
     private void listen() {
         for (GarbageCollectorMXBean collector : ManagementFactory.getGarbageCollectorMXBeans()) {
             if (!collector.getName().endsWith(BESIDE)) {

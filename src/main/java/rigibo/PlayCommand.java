@@ -24,10 +24,13 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
-/** Opens the game: its menu, one scene by name, or one level by file. */
-@Command(name = "play", description = "Opens the main menu, the named scene or the level.")
+/** Opens the game: its menu, a scene by its name, or a level or replay by its file. */
+@Command(name = "play", description = "Opens the game: its menu, a scene, a level or a replay.")
 final class PlayCommand implements Callable<Integer> {
-    @Option(names = "--scene", paramLabel = "NAME", description = "Opens this scene at once.")
+    @Option(
+            names = "--scene",
+            paramLabel = "NAME",
+            description = "Opens this scene; an unknown name lists them all.")
     private String scene;
 
     @Option(
@@ -35,21 +38,22 @@ final class PlayCommand implements Callable<Integer> {
             paramLabel = "DIR",
             defaultValue = "${env:RIGIBO_HOME}",
             description =
-                    "Where settings and progress are kept (default: RIGIBO_HOME, else where the"
-                            + " system keeps such files).")
+                    "Where settings and progress are kept (default: RIGIBO_HOME, or else the"
+                            + " system's folder for such files).")
     private Path home;
 
     @Option(
             names = "--edit",
             paramLabel = "FILE.json",
-            description = "Opens the editor with this level; a new one where there is no file.")
+            description =
+                    "Opens the editor with this level, or with a new one if there is no such file.")
     private Path edited;
 
     @Parameters(
             paramLabel = "FILE",
             description =
-                    "Opens this level, or this replay, with the level it belongs to where that is"
-                            + " none of the game's own.")
+                    "A level or a replay; a replay of a level that is not the game's needs the"
+                            + " level too.")
     private List<Path> files = List.of();
 
     @Spec private CommandSpec spec;
@@ -59,7 +63,7 @@ final class PlayCommand implements Callable<Integer> {
         try (SavedPlayer player = new SavedPlayer(places(), Locale.getDefault().getLanguage())) {
             Display display = new Display(Catalog::menu, Catalog::levels, player);
             display.plugIn();
-            // While the window's library starts.
+            // Read on a thread of its own while the window's library starts.
             CompletableFuture.runAsync(Catalog::entries);
             display.opensFilesBy(Catalog::dropped);
             display.opensCodesBy(Catalog::pasted);

@@ -3,7 +3,6 @@ package rigibo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -27,9 +26,10 @@ import java.util.function.Function;
         description = "Makes a GIF of a level being solved, or of a replay, without a window.")
 final class RecordCommand implements Callable<Integer> {
 
-    /** Narrower, no word can be read; wider, no page shows it. */
+    /** Words in a narrower picture cannot be read. */
     private static final int LEAST_WIDTH = 180;
 
+    /** No page shows a wider picture. */
     private static final int MOST_WIDTH = 1440;
 
     @Parameters(
@@ -37,7 +37,11 @@ final class RecordCommand implements Callable<Integer> {
             description = "A level of the game by its name, a level file or a replay.")
     private String what;
 
-    @Option(names = "--out", required = true, paramLabel = "FILE.gif", description = "The file.")
+    @Option(
+            names = "--out",
+            required = true,
+            paramLabel = "FILE.gif",
+            description = "The file to write.")
     private Path out;
 
     @Option(
@@ -51,18 +55,15 @@ final class RecordCommand implements Callable<Integer> {
             names = "--language",
             paramLabel = "LANGUAGE",
             defaultValue = "en",
-            description = "Of the words, en or de (default: ${DEFAULT-VALUE}).")
+            description = "Language of the words, en or de (default: ${DEFAULT-VALUE}).")
     private String language;
 
     @Spec private CommandSpec spec;
 
     @Override
     public Integer call() {
-        if (width < LEAST_WIDTH || width > MOST_WIDTH) {
-            String range = "--width must be " + LEAST_WIDTH + " to " + MOST_WIDTH;
-            throw new ParameterException(spec.commandLine(), range + ", was " + width);
-        }
-        // What pictures are made of needs no screen, and must not ask for one.
+        Options.requireBetween(spec, "--width", width, LEAST_WIDTH, MOST_WIDTH);
+        // Pictures are made without a screen; AWT must not look for one.
         System.setProperty("java.awt.headless", "true");
         int height = Math.round(width * (float) Scene.HEIGHT / Scene.WIDTH);
         PrintWriter complaints = spec.commandLine().getErr();

@@ -18,15 +18,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 
-/** Plays replays without a window and tells whether they are the same to the last bit. */
+/** Plays replays without a window, and prints whether they are the same to the last bit. */
 @Command(
         name = "replay",
-        description = "Plays replays without a window: are they the same to the last bit?")
+        description = "Plays replays without a window, and checks that every bit is the same.")
 final class ReplayCommand implements Callable<Integer> {
     @Option(
             names = "--level",
             paramLabel = "LEVEL.json",
-            description = "The level they belong to, where it is none of the game's own.")
+            description = "The level of the replays, if it is not one of the game's.")
     private Path level;
 
     @Parameters(arity = "1..*", paramLabel = "FILE", description = "Replay files.")

@@ -21,7 +21,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 
-/** Lets the game play itself, every scene and level in turn, and keeps pictures of it. */
+/** Lets the game play itself, every scene and level in turn, and keeps pictures. */
 @Command(name = "tour", description = "The game plays itself in real windows and keeps pictures.")
 final class TourCommand implements Callable<Integer> {
     @Option(
@@ -35,16 +35,16 @@ final class TourCommand implements Callable<Integer> {
             names = "--scale",
             paramLabel = "S",
             defaultValue = "1",
-            description = "Windows so many times their usual size, 0.5 to 3.")
+            description = "Scale of the windows, 0.5 to 3 (default: ${DEFAULT-VALUE}).")
     private double scale;
 
     @Option(
             names = "--window",
             paramLabel = "WxH",
-            description = "Windows of another shape, such as 1366x768, in pixels.")
+            description = "Size of the windows in pixels, such as 1366x768.")
     private String window = "";
 
-    @Option(names = "--full-screen", description = "Windows fill the screen.")
+    @Option(names = "--full-screen", description = "Lets windows fill the screen.")
     private boolean isFullScreen;
 
     @Option(names = "--lite", description = "Draws in less detail, as on a slow machine.")
@@ -54,19 +54,19 @@ final class TourCommand implements Callable<Integer> {
             names = "--language",
             paramLabel = "L",
             defaultValue = "en",
-            description = "In this language: en or de.")
+            description = "Language, en or de (default: ${DEFAULT-VALUE}).")
     private String language;
 
     @Option(
             names = "--exhibits",
-            description = "Also everything that hangs in the gallery, each for a few seconds.")
+            description = "Also plays every exhibit of the gallery for a few seconds.")
     private boolean hasExhibits;
 
     @Option(
             names = "--scenes",
             paramLabel = "A,B",
             split = ",",
-            description = "Only these, by the names of their pictures.")
+            description = "Plays only these, named as their pictures are.")
     private Set<String> scenes = Set.of();
 
     @Spec private CommandSpec spec;
@@ -91,7 +91,7 @@ final class TourCommand implements Callable<Integer> {
         return new Tour(stops(), settings(), size[0], size[1], out, words);
     }
 
-    /** The menus, then everything that they lead to; single exhibits where they are asked for. */
+    /** The menus, then everything that they lead to. */
     private List<Tour.Stop> stops() {
         List<Tour.Stop> all = new ArrayList<>();
         all.add(new Tour.Stop("menu", Catalog::menu, true));
@@ -118,7 +118,7 @@ final class TourCommand implements Callable<Integer> {
         return scenes.isEmpty() ? hasExhibits || !isExhibit : scenes.contains(name);
     }
 
-    /** Pictures show all there is, however slowly it is drawn, unless less is asked for. */
+    /** Full detail, however slow the machine is, unless less is asked for. */
     private Settings settings() {
         if (!Settings.LANGUAGES.contains(language)) {
             throw Options.refused(

@@ -87,7 +87,7 @@ final class SoakSubject implements Subject {
 
     @Override
     public String again(long seed, long index) {
-        return "--soak --seed " + seed;
+        return "--only soak --seed " + seed;
     }
 
     @Override
