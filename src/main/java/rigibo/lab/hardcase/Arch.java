@@ -10,8 +10,8 @@ import java.util.List;
 
 /**
  * A half ring of seventeen wedge stones on the floor, with four planks on its keystone, μ = 0.6.
- * Truth: a half ring stands by its own weight where its thickness is above 0.107 of its radius (J.
- * Heyman, The masonry arch, 1982); here it is 0.26. Nothing moves but for the joints' settling.
+ * Truth: a half ring stands by its own weight if its thickness exceeds 0.107 of its radius (J.
+ * Heyman, The masonry arch, 1982); here it is 0.26. Nothing moves except that the joints settle.
  */
 final class Arch implements Scenes {
 

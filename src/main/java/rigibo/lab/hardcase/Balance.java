@@ -9,9 +9,9 @@ import java.util.List;
 /**
  * The balance of energy and momentum over one step, from the state of the bodies.
  *
- * <p>Gains are compared with E0: the largest of the energy at the start, the kinetic energy since,
- * and the energy that lifts every body by its own radius. The last is needed for scenes at rest at
- * the height 0.
+ * <p>Gains are shares of E0: the largest of the energy at the start, the kinetic energy since, and
+ * the energy that lifts every body by its own radius. The last serves scenes at rest at the height
+ * 0.
  */
 final class Balance {
 

@@ -6,8 +6,8 @@ import rigibo.lab.truth.Bounces;
 import rigibo.lab.truth.Solid;
 
 /**
- * Truth: {@link Bounces}, for ten apexes. The sweep over 25 phases of the first impact within a
- * step is essential: errors depend on where in the step the impact falls.
+ * Truth: {@link Bounces}, for ten apexes. Errors depend on where in a step the impact falls, so 25
+ * phases of the first impact are tried.
  */
 final class BallDrop implements Scenes {
 
@@ -17,7 +17,7 @@ final class BallDrop implements Scenes {
     private static final int APEXES = 10;
     private static final double[] ELASTICITIES = {0, 0.3, 0.5, 0.8, 0.95, 1};
 
-    /** Least evaluations per impact that would be a defect: bisection to 1e-9 m takes about 30. */
+    /** Evaluations per impact that would be a defect: bisection to 1e-9 m takes about 30. */
     private static final double MANY_EVALUATIONS = 64;
 
     @Override
@@ -55,7 +55,7 @@ final class BallDrop implements Scenes {
         }
     }
 
-    /** After the last impact the ball lies on the floor: below 1, it stops in the end. */
+    /** Below e = 1 the bounces end, and then the ball lies on the floor. */
     private static void restsAfterwards(
             Trial trial, WatchedPool pool, RigidBody ball, Bounces truth) {
         pool.run(truth.restTime() + 2 * Trial.DT - pool.time());

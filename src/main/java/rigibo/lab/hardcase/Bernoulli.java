@@ -6,10 +6,10 @@ import rigibo.lab.truth.Solid;
 
 /**
  * One disc meets two that touch, all equal, smooth and elastic. Truth (Johann Bernoulli): both
- * impacts happen at once, with J along ±30° each; that the normal velocity reverses gives v·cos −
- * 2J·cos² − J = −v·cos, so J = (2√3/5)v per mass and v1 = v − 2J·cos 30° = −v/5. An impact taken
- * with a gap δ left open turns the normals by 0.58·δ and the velocities by 0.3·δ of v: GAME, whose
- * δ is up to 0.1 mm, cannot be held to 1e-9.
+ * impacts happen at once, with J along ±30° each. The normal velocity reverses, v·cos − 2J·cos² − J
+ * = −v·cos, so J = (2√3/5)v per mass and v1 = v − 2J·cos 30° = −v/5. A gap δ left open at the
+ * impact turns the normals by 0.58·δ and changes the velocities by 0.3·δ of v: GAME, where δ is up
+ * to 0.1 mm, cannot be held to 1e-9.
  */
 final class Bernoulli implements Scenes {
 

@@ -25,8 +25,8 @@ final class Billiard implements Scenes {
     }
 
     /**
-     * For an hour, 149,000 bounces. Truth: its speed stays. A bounce rounds three times, by half of
-     * 2.2e-16 each; should all of them go the same way, that is 5e-11.
+     * An hour, 149,000 bounces. Truth: the speed is constant. A bounce rounds three times, by half
+     * of 2.2e-16 each; if all errors had one sign, they would add up to 5e-11.
      */
     static void keepSpeedForAnHour(Trial trial) {
         WatchedPool pool = trial.space();

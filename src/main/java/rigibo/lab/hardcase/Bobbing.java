@@ -10,9 +10,9 @@ import rigibo.lab.truth.Solid;
 
 /**
  * Truth, in water of density 1 up to y = 0: a box of height 1 and density ρ floats with its centre
- * at ½ − ρ and bobs with ω² = g/ρ as long as a part of it is under water and a part is not. With
- * the width b it rolls with ω² = mg·GM/I about its metacentre, GM = b²/12ρ − (1 − ρ)/2 (Bouguer
- * 1746); that is to first order in the tilt, and the next order is its square.
+ * at ½ − ρ. While it is partly under water it bobs with ω² = g/ρ. With the width b it rolls with ω²
+ * = mg·GM/I about its metacentre, GM = b²/12ρ − (1 − ρ)/2 (Bouguer 1746), to first order in the
+ * tilt; the next term is of second order.
  */
 final class Bobbing implements Scenes {
 

@@ -8,9 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Bodies that begin at one spot, without weight. Truth: they must part, no faster than a body of
- * its size may be pushed, three widths a second by places, however many there are; then nothing
- * moves them.
+ * Bodies that begin at one point, without weight. Truth: they part, at no more than three widths a
+ * second by places, the push-out speed of a body of their size, however many there are. Then
+ * nothing moves them.
  */
 record BornAtOneSpot(Shape shape, List<Integer> few, List<Integer> all) implements Scenes {
 

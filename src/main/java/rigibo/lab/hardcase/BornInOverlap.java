@@ -4,9 +4,9 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Solid;
 
 /**
- * Ten boxes that overlap by a quarter, two discs at the same place, a box inside a fixed one.
- * Truth: bodies that begin in overlap part at no more than the push-out speed of 3 m/s, whatever
- * the overlap, and within 2 s.
+ * Ten boxes that overlap by a quarter, two discs at one place, a box inside a fixed one. Truth:
+ * bodies that begin in overlap part within 2 s, at no more than the push-out speed of 3 m/s,
+ * however deep the overlap.
  */
 final class BornInOverlap implements Scenes {
 

@@ -12,8 +12,9 @@ import java.util.SplittableRandom;
 
 /**
  * A disc of 1 to 10⁴ times a box's mass flies at 50 to 2,000 m/s into a row of boxes that lean on a
- * wall of 1 mm to 1 m. Truth: nothing is ever through the wall or the floor, nor the disc through a
- * box; over the wall is a way. Where something must give, the boxes overlap, and it is told.
+ * wall of 1 mm to 1 m. Truth: nothing passes through the wall or the floor, and the disc passes
+ * through no box; bodies may go over the wall. Where nothing can give way, the boxes overlap, and
+ * the engine reports it.
  */
 final class BulletIntoRow implements Scenes {
 
@@ -22,10 +23,10 @@ final class BulletIntoRow implements Scenes {
     private static final int STEPS = 30;
     private static final double WALL_HEIGHT = 20;
 
-    /** Of a body's width, into what nobody moves. */
+    /** The overlap with fixed bodies that is allowed, in widths of the body. */
     private static final double MOST_INTO_FIXED = 0.02;
 
-    /** Of a body's width: the engine tells of what is crushed deeper. */
+    /** The overlap from which on the engine reports crushing, in widths of the body. */
     private static final double CRUSHED = 0.05;
 
     @Override
@@ -119,7 +120,7 @@ final class BulletIntoRow implements Scenes {
             }
         }
 
-        /** Whether the bullet was left of a box and is right of it, beside it both times. */
+        /** Whether the bullet went from the left of a box to its right, beside it both times. */
         private boolean isPassed(double[] was, double[] boxWas, double[] is, double[] boxIs) {
             double beside = 0.5 + bullet.shape().boundingRadius();
             return was[0] < boxWas[0]
@@ -128,7 +129,7 @@ final class BulletIntoRow implements Scenes {
                     && Math.abs(is[1] - boxIs[1]) < beside;
         }
 
-        /** How deep a body that is before the wall is in it or in the floor, in its widths. */
+        /** Depth of a body in the near face of the wall or in the floor, in its widths. */
         private double intoFixed(RigidBody body) {
             Aabb bounds = new Aabb();
             double cos = Math.cos(body.angle());
@@ -139,7 +140,7 @@ final class BulletIntoRow implements Scenes {
             return Math.max(0, deep) / body.shape().smallestWidth();
         }
 
-        /** Evenly over the logarithm: as many light ones as heavy ones. */
+        /** A number whose logarithm is uniform, so that light and heavy are equally frequent. */
         private static double between(SplittableRandom random, double least, double most) {
             return least * Math.pow(most / least, random.nextDouble());
         }

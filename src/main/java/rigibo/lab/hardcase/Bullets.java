@@ -10,8 +10,8 @@ import java.util.Random;
 /**
  * Ten thousand balls of 0.1 m at 50 to 2,000 m/s against walls of 1 mm to 1 m, at 30 to 240 steps
  * per second. Truth: none passes the near face, and each leaves it with −e of its normal velocity.
- * That holds at DRAFT, too: a lone disc meets a face on a straight line, whose end is known in
- * closed form however far it goes in a step.
+ * That holds at DRAFT, too: a lone disc meets a face on a straight line, so its impact has a closed
+ * form, however far it moves in a step.
  */
 final class Bullets implements Scenes {
 
@@ -61,7 +61,7 @@ final class Bullets implements Scenes {
         return isStopped;
     }
 
-    /** Evenly over the logarithm: as many slow ones as fast ones. */
+    /** A number whose logarithm is uniform, so that slow and fast are equally frequent. */
     private static double between(Random random, double least, double most) {
         return least * Logarithm.pow(most / least, random.nextDouble());
     }

@@ -7,8 +7,8 @@ import rigibo.lab.truth.Solid;
 /**
  * Discs of 0.1 m at ±200 m/s, head on and with the impact parameter b = r. Truth: they touch when
  * their distance along the flight is 2r·cos α with sin α = b/2r, so 0° or 30°; smooth and elastic,
- * they exchange the components along the normal. From where each is afterwards follows the time of
- * the impact, for it flew at v before and at v′ since.
+ * they exchange the components along the normal. The time of the impact follows from their later
+ * places, since each moves at v before it and at v′ after it.
  */
 final class BulletsMeet implements Scenes {
 

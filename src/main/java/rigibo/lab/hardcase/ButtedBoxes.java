@@ -11,8 +11,8 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * Smooth sliding over a floor of forty separate boxes side by side. Truth: the floor is one plane,
- * so speed and height are constant; the edges between the boxes are inside the floor.
+ * Bodies slide without friction over a floor of forty separate boxes side by side. Truth: the floor
+ * is one plane, so speed and height are constant; the edges between the boxes are inside the floor.
  */
 final class ButtedBoxes implements Scenes {
 
@@ -49,7 +49,7 @@ final class ButtedBoxes implements Scenes {
         }
     }
 
-    /** Of the centre of mass above the lowest point. */
+    /** Height of the centre of mass above the lowest point, m. */
     private static double height(Shape shape) {
         if (shape instanceof Circle) {
             return ((Circle) shape).radius();

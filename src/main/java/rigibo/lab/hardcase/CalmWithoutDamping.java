@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 
 /**
- * A column collapses, a heap spreads, boxes slide down a slope of boxes in a drum. Truth: no single
- * run is one, for these scenes are chaotic, but the mean over seeds is: that of EXACT at a
- * sixteenth of the step. What buys its calm by damping or clamps spreads less far and stands
- * steeper.
+ * A column collapses, a heap spreads, boxes slide down a slope of boxes in a drum. These scenes are
+ * chaotic, so that single runs have no truth. Truth: the mean over seeds, taken from EXACT at a
+ * sixteenth of the step. An engine that calms bodies by damping or clamps spreads them less far and
+ * leaves steeper slopes.
  */
 record CalmWithoutDamping(Avalanche avalanche) implements Scenes {
 
@@ -41,7 +41,10 @@ record CalmWithoutDamping(Avalanche avalanche) implements Scenes {
         }
     }
 
-    /** Also tells the standard error of the mean difference, which chaos leaves. */
+    /**
+     * Compares two means; reports the standard error of their difference, too, which is due to
+     * chaos.
+     */
     private static void compare(
             Trial trial,
             String name,

@@ -9,11 +9,11 @@ import java.util.List;
 
 /**
  * Five storeys of cards of 0.4 × 0.002 m, μ = 0.7: pairs that lean against each other at 25° to the
- * upright, and cards that lie across from ridge to ridge, each with its left end on the one before
- * it. Truth: a pair of weight 2W under a load of 2P needs at its feet the horizontal force (P +
- * W/2)·tan 25° per (P + W) of weight, at most 0.47 of it, so friction holds it and the house
- * stands. It is laid with gaps of a fraction of a millimetre, and the outer feet are a card's
- * thickness too high; storey by storey that makes a centimetre at most.
+ * vertical, and cards laid across from ridge to ridge, each with its left end on the one before it.
+ * Truth: a pair of weight 2W under a load of 2P needs at its feet the horizontal force (P +
+ * W/2)·tan 25° per (P + W) of weight, at most 0.47 of it. Friction holds that, so the house stands.
+ * It is laid with gaps of a fraction of a millimetre, and its outer feet are one thickness of a
+ * card too high; over five storeys this adds up to a centimetre at most.
  */
 final class CardHouse implements Scenes {
 

@@ -6,9 +6,9 @@ import rigibo.backend.setup.BodyType;
 
 /**
  * The work of driven bodies that all move to the right at one speed u under vertical gravity. It is
- * u times the momentum that they hand over: all momentum of the bodies beyond that from fixed
- * bodies. The latter is the sum of their normal impulses, since the friction of a vertical wall is
- * vertical.
+ * u times the momentum that they transfer: the momentum of all bodies minus the part that comes
+ * from fixed bodies. That part is the sum of their normal impulses, since the friction of a
+ * vertical wall is vertical.
  */
 final class CarrierWork {
 

@@ -17,19 +17,20 @@ public final class CaseTable {
             """
             # Hard cases
 
-            Scenes that are hard to simulate and whose truth is known, in closed form or as an \
-            invariant; the class of each case in `src/main/java/rigibo/lab/hardcase` derives it. \
-            Every run is also held to what is true in every case: nothing that is not finite, \
-            overlap below 2 %% of a body's width, no energy out of nothing, neither in a step nor \
-            since the start, momentum kept, the \
-            same bits in a second run. `EXACT` is held to limits of its own, the other presets to \
-            those of a game, but for `DRAFT` in these cases, where it is held to the invariants \
-            alone: %s. Sleep is off unless the case is about sleep. \
-            Of cases with many variants, sizes and draws, a few are tried; `--full` tries all.
+            These scenes are hard to simulate, and their truth is known in closed form or as an \
+            invariant. The class of each case in `src/main/java/rigibo/lab/hardcase` derives it. \
+            Every run must also keep what is true in every case: all numbers are finite, overlap \
+            stays below 2 %% of a body's width where the case sets no other limit, no energy is \
+            gained in a step or since the start, momentum is kept, and a second run gives the same \
+            bits. `EXACT` has limits of its own, the other presets have those of a game. Sleep is \
+            off unless the case is about sleep. A case with many variants runs a few of them; with \
+            `--full`, all.
 
-            Each line shows of all figures of a case that have a limit the one that comes nearest \
-            to it. The margin says how many times the figure fits into its limit: below 1 the case \
-            fails, and at ∞ nothing was to be seen of what it counts.
+            At `DRAFT` these cases are held to the invariants alone: %s.
+
+            Each line shows the figure nearest to its limit, among all figures of the case that have \
+            one. The margin is the limit divided by the figure: below 1 the case fails, and ∞ means \
+            that the figure is 0.
 
             Made by `./rigibo cases%s --markdown FILE` on %s, %s. %d passed, %d failed.
 

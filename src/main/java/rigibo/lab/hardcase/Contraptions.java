@@ -22,20 +22,20 @@ import java.util.SplittableRandom;
 
 /**
  * J15: trees of two to ten bodies, held together by joints of any kind, that fall between walls and
- * on each other. Bodies of one tree meet as those of two do, but for the two of a joint. Nothing
- * goes into anything, joints hold, and no energy comes from nothing.
+ * on each other. Bodies of one tree collide like those of different trees, except the two bodies of
+ * a joint. Truth: no body enters another, joints hold, and no energy is gained.
  */
 final class Contraptions {
 
     private static final double SECONDS = 6;
 
-    /** Overlap at most, in widths, as in a rain of boxes (M1). */
+    /** Limits of overlap, in widths, as in a rain of boxes (M1). */
     private static final Limits OVERLAP = new Limits(0.5, 0.05, 0.02);
 
-    /** Most that joints are off while trees strike each other, m. */
+    /** Limits of the joints' error while trees strike each other, m. */
     private static final Limits ERROR = new Limits(0.05, 5e-3, 1e-3);
 
-    /** Tries to find a place for a body. */
+    /** Attempts to find a place for a body. */
     private static final int TRIES = 60;
 
     private final SplittableRandom random;

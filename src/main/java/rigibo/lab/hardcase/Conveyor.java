@@ -13,9 +13,9 @@ import rigibo.lab.truth.Solid;
 
 /**
  * Truth: a box laid at rest on a belt of speed V slips under μmg for T = V/μg = 0.4077 s and moves
- * VT/2 = 0.4077 m meanwhile; from then on it is carried at V. A box on tracks of its own moves
- * likewise on a floor at rest. A disc is also spun by the friction: its rim meets the belt at 3μgt,
- * so it rolls from V/3μg on, at V/3. An impact that sticks gives a disc the same V/3 at once.
+ * VT/2 = 0.4077 m meanwhile; from then on it is carried at V. So does a box with driven tracks on a
+ * floor at rest. Friction also spins a disc: its rim gains 3μgt on the belt, so it rolls from V/3μg
+ * on, at V/3. An impact that sticks gives a disc the speed V/3 at once.
  */
 final class Conveyor implements Scenes {
 

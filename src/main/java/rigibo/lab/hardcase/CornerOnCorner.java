@@ -5,17 +5,16 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Solid;
 
 /**
- * Two smooth squares at 45° fly at each other vertex to vertex, e = 1. Truth: whatever normal the
- * vertices choose, energy is kept; and the mirrored scene does the mirrored thing, as far as the
- * offset tells which is which.
+ * Two smooth squares at 45° meet vertex to vertex, e = 1. Truth: energy is kept whatever normal the
+ * vertices choose, and the mirrored scene is mirrored where the offset decides the direction.
  */
 final class CornerOnCorner implements Scenes {
 
     private static final double SPEED = 4;
 
     /**
-     * The gap in m at which an impact may be taken at EXACT. With an offset like it, the direction
-     * from vertex to vertex is anything, and so is the deflection.
+     * The gap at which EXACT may take an impact, m. At an offset of this size the direction from
+     * vertex to vertex is arbitrary, and so is the deflection.
      */
     private static final double IMPACT_GAP = 1e-8;
 

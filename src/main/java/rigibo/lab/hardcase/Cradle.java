@@ -9,8 +9,8 @@ import java.util.List;
 
 /**
  * Five equal elastic discs in a row between two walls, touching or 1 mm apart; the first k come in
- * at v. Truth: the last k leave at v and the others stay. It is the limit of impacts one after the
- * other, which a row with gaps has in any case. Energy is kept for a hundred crossings.
+ * at v. Truth: the last k leave at v and the others stay: the limit of impacts one after the other,
+ * as a row with gaps has them. Energy is kept for a hundred crossings.
  */
 final class Cradle implements Scenes {
 
@@ -43,7 +43,7 @@ final class Cradle implements Scenes {
             row.add(pool.add(disc.at(x, 0).velocity(i < launched ? SPEED : 0, 0)));
         }
         double energy = pool.pool().kineticEnergy();
-        // After the impacts and before the first of those that leave has reached the wall.
+        // After the impacts, and before the first disc that leaves reaches the wall.
         pool.run(APPROACH / SPEED + 0.5);
         for (int i = 0; i < COUNT; i++) {
             double truth = i >= COUNT - launched ? SPEED : 0;

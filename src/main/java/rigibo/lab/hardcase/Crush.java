@@ -7,9 +7,9 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Solid;
 
 /**
- * A kinematic wall pushes a box at 0.5 m/s against a fixed one, along a floor. Truth: there is no
- * room for the box, so either the overlap grows or the box leaves; but it never gets through a wall
- * unseen, nothing explodes, and both contacts are told as events.
+ * A kinematic wall pushes a box at 0.5 m/s along a floor against a fixed wall. Truth: the box has
+ * no room, so either the overlap grows or the box escapes. It never passes through a wall unseen,
+ * nothing explodes, and both contacts are reported as events.
  */
 final class Crush implements Scenes {
 

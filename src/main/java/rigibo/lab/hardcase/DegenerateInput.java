@@ -8,13 +8,13 @@ import rigibo.lab.truth.Solid;
 import java.util.Locale;
 
 /**
- * Truth: what has no meaning is refused with an exception that names the field, before anything
- * changes; what is merely extreme stays finite; and a body driven beyond all numbers is put to rest
- * without a trace in its neighbours.
+ * Truth: senseless input is refused by an exception that names the field, before anything changes.
+ * Extreme input stays finite. A body driven beyond all numbers is put to rest and leaves no trace
+ * in its neighbours.
  */
 final class DegenerateInput implements Scenes {
 
-    /** N: a number that the door takes, for a body of 1 kg that no speed can answer. */
+    /** A force that the engine accepts, N, but that would give a body of 1 kg no finite speed. */
     private static final double BEYOND_ALL_BOUNDS = 1e300;
 
     @Override

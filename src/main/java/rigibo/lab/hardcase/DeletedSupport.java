@@ -10,9 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A stack of ten asleep loses box 0, 5 or 9, its floor, or a body that a contact event names.
- * Truth: everything above falls freely from the very next step, v = −g·dt after one step, without
- * any kick left in the contacts; everything below sleeps on.
+ * A stack of ten that is asleep loses box 0, 5 or 9, its floor, or a body named by a contact event.
+ * Truth: every box above falls freely from the next step on, v = −g·dt after one step, without an
+ * impulse left over in the contacts; every box below sleeps on.
  */
 final class DeletedSupport implements Scenes {
 
@@ -50,7 +50,7 @@ final class DeletedSupport implements Scenes {
         return pool;
     }
 
-    /** Box i is at i + 1 of the list, after the floor. */
+    /** Judges a stack in whose list the floor is first, so that box i is at i + 1. */
     private static void judge(Trial trial, WatchedPool pool, List<RigidBody> stack, int removed) {
         double[] start = stack.stream().mapToDouble(b -> b.isAlive() ? b.y() : 0).toArray();
         double step = Trial.GRAVITY * Trial.DT;

@@ -9,9 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Truth: a straight column of discs is an unstable equilibrium; exactly symmetric, nothing but
- * round-off can tip it, which takes longer than 10 s to grow. With e = 0.8 and a gap between the
- * discs energy only falls, which is an invariant of every case.
+ * Truth: a straight column of discs is an unstable equilibrium. As it is symmetric, only round-off
+ * can tip it, which takes longer than 10 s to grow. With e = 0.8 and gaps between the discs energy
+ * never rises, an invariant of every case.
  */
 final class DiscColumn implements Scenes {
 

@@ -19,13 +19,13 @@ final class Dominoes {
     private static final double IMPULSE = 0.2;
     private static final double HORIZON = 20;
 
-    /** Of the row in which a wave is watched. */
+    /** Number of dominoes in the row of a wave. */
     private static final int WAVE = 30;
 
     private static final double WAVE_HORIZON = 30;
     private static final int FIRST_STEADY = 10;
 
-    /** The last few have none behind them to lean on. */
+    /** Last domino of the steady wave: the few behind it have none to lean on. */
     private static final int LAST_STEADY = 25;
 
     private Dominoes() {}
@@ -53,7 +53,9 @@ final class Dominoes {
         trial.measure("fastest in the end", pool.fastest(), "m/s", 1e-3);
     }
 
-    /** Turns about its lower right edge, which is at rest: v = ω × r. */
+    /**
+     * Whether a domino falls that turns about its lower right edge, which is at rest: v = ω × r.
+     */
     private static boolean falls(Trial trial, double spin) {
         WatchedPool pool = trial.ground(0.9, 0);
         RigidBody domino =
@@ -66,7 +68,7 @@ final class Dominoes {
         return domino.angle() < -Math.PI / 4;
     }
 
-    /** A row of so many, the first of which is struck. */
+    /** A row of dominoes, the first of which is struck. */
     private static List<RigidBody> struck(WatchedPool pool, int count) {
         List<RigidBody> dominoes =
                 IntStream.range(0, count)
@@ -78,10 +80,9 @@ final class Dominoes {
     }
 
     /**
-     * A longer row. Truth: what a domino hands on to the next depends only on what it was handed,
-     * so the wave forgets how it began and goes on at a speed of its own (W. J. Stronge, The domino
-     * effect, 1987): beyond the first few, every domino falls the same time after the one before
-     * it.
+     * A longer row. Truth: what a domino passes on depends only on what it received, so the wave
+     * forgets its beginning and travels at a speed of its own (W. J. Stronge, The domino effect,
+     * 1987): beyond the first few, all dominoes fall at equal intervals.
      */
     static void wave(Trial trial) {
         WatchedPool pool = trial.ground(0.5, 0);
@@ -94,7 +95,9 @@ final class Dominoes {
         trial.report("speed of the wave", 1 / mean, "m/s");
     }
 
-    /** When each domino's centre passes over its edge, interpolated between two steps. */
+    /**
+     * Times at which the dominoes' centres pass over their edges, interpolated between steps, s.
+     */
     private static double[] times(WatchedPool pool, List<RigidBody> dominoes) {
         double edge = -Math.atan(WIDTH);
         double[] times = new double[WAVE];

@@ -10,9 +10,9 @@ import java.util.function.IntFunction;
 import java.util.function.Predicate;
 
 /**
- * Crowds under a belt, in a shaken box, of thin rods, of towers that are pushed. Truth: nobody
- * leaves, bodies overlap no deeper than in a crowd that rains, and all energy is that of the start
- * and the work of what is driven.
+ * Crowds on a belt, in a shaken box, of thin rods, of towers that are pushed. Truth: no body
+ * leaves, overlap stays as small as in a crowd that rains, and all energy comes from the start and
+ * the work of the drive.
  *
  * @param scene by its size
  * @param horizon s
@@ -94,7 +94,7 @@ record DrivenCrowd(
                 && stage.dynamic().stream().allMatch(body -> body.x() < wall.x());
     }
 
-    /** Between the middles of its walls: floor, ceiling, left, right. */
+    /** Whether every body is between the middles of the walls: floor, ceiling, left, right. */
     private static boolean isInTheBox(StagedScene stage) {
         List<RigidBody> walls = stage.bodies();
         return stage.dynamic().stream()

@@ -19,10 +19,10 @@ import rigibo.lab.truth.Solid;
 import java.util.SplittableRandom;
 
 /**
- * J9, J10 and J14. A motor of torque τ turns I to ω = τ·t/I until its speed, one of force F lifts m
- * to v = (F/m − g)·t; its work is the energy gained. What strikes a limit at ω leaves it at −e·ω,
- * with e² of its energy. A joint breaks in the step in which the impulse that it carries exceeds
- * F·dt, a blow's as well.
+ * J9, J10 and J14. A motor of torque τ accelerates I to ω = τ·t/I up to its speed, one of force F
+ * lifts m to v = (F/m − g)·t; its work is the energy gained. A body that strikes a limit at ω
+ * leaves it at −e·ω, with e² of its energy. A joint breaks in the step in which its impulse exceeds
+ * F·dt, that of a blow included.
  */
 final class DrivenJoints {
 
@@ -35,7 +35,7 @@ final class DrivenJoints {
     static void motors(Trial trial) {
         for (SplittableRandom random : trial.sampling().draws(4, 30)) {
             double size = 0.2 + random.nextDouble();
-            // Whole steps, so that what the motor does within one is its most or its least.
+            // Whole steps, so that the motor exerts its maximum or minimum throughout each.
             double time = (20 + random.nextInt(60)) * Trial.DT;
             double most = Math.pow(10, 3 * random.nextDouble() - 1);
             trial.variant("turning " + size + " m with " + most + " N·m for " + time + " s");
@@ -132,7 +132,7 @@ final class DrivenJoints {
         trial.measure("place after it", Math.abs(way - truth), "rad or m", AT_LIMIT);
     }
 
-    /** Until it strikes it swings, with the energy that a swing may be off by. */
+    /** Falls against a limit; until then it swings, and its energy may err by what J1 allows. */
     private static void fall(Trial trial, double room) {
         WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
         RigidBody hook = pool.hook(0, 0);
@@ -159,7 +159,7 @@ final class DrivenJoints {
         }
     }
 
-    /** A bob that hangs on a rod, a hinge or a weld. */
+    /** Hangs a bob on a rod, a hinge or a weld. */
     private static Joint hang(WatchedPool pool, int kind, double mass, double force) {
         RigidBody hook = pool.hook(0, 0);
         RigidBody bob = pool.add(Solid.disc(0.1).at(0, -1).mass(mass));
@@ -191,7 +191,10 @@ final class DrivenJoints {
         trial.measure("load that breaks it", Math.abs(share - 1), "of F", BREAK);
     }
 
-    /** Hanging still, a blow of J and the weight in its step go through the joint at once. */
+    /**
+     * Strikes a bob that hangs still: the blow J and the weight of that step act on the joint at
+     * once.
+     */
     private static void strike(Trial trial, int kind, double mass, double force) {
         double margin = BREAK.of(trial.preset());
         for (int side = -1; side <= 1; side += 2) {

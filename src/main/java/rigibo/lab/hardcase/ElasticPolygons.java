@@ -10,22 +10,22 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Smooth polygons, e = 1, in a closed room without weight. Truth: no impact takes energy, however
- * fast they are and however often they meet in a step; and nobody leaves.
+ * Smooth polygons, e = 1, in a closed room without gravity. Truth: no impact takes energy, however
+ * fast the polygons are and however often they meet in a step; and none leaves.
  */
 record ElasticPolygons(List<Double> few, List<Double> all) implements Scenes {
 
     private static final double HORIZON = 5;
     private static final Limits MOST_ENERGY = new Limits(1e-3, 1e-3, 1e-9, 1e-9);
 
-    /** The walls of a room whose disc is left away. */
+    /** Walls of a room; its disc is left out. */
     private static final Room ROOM = new Room(0, 0);
 
-    /** A pair meets once or twice in a step. */
+    /** Speeds at which a pair meets once or twice in a step. */
     static final ElasticPolygons SLOW =
             new ElasticPolygons(List.of(35.0), List.of(30.0, 50.0, 80.0));
 
-    /** A pair may meet more often in a step than the cap allows. */
+    /** Speeds at which a pair may meet more often in a step than the cap allows. */
     static final ElasticPolygons FAST =
             new ElasticPolygons(List.of(330.0, 900.0), List.of(200.0, 330.0, 600.0, 1000.0));
 
@@ -44,7 +44,7 @@ record ElasticPolygons(List<Double> few, List<Double> all) implements Scenes {
         WatchedPool pool = trial.space().withOverlapOfItsOwn();
         ROOM.walls().forEach(pool::add);
         int count = 1 + random.nextInt(4);
-        // One alone may be so large that it meets the walls many times in a step.
+        // A single one may be so large that it meets the walls many times in a step.
         double largest = count == 1 ? 3.8 : 0.9;
         for (int i = 0; i < count; i++) {
             double way = 2 * Math.PI * random.nextDouble();

@@ -8,16 +8,16 @@ import java.util.List;
 
 /**
  * Bodies of e = 1 on a floor of e = 1: placed, dropped by 1 mm, and three on each other. Truth:
- * energy never rises, so no hop is ever higher than the drop. What is gained is compared with what
- * the drop releases, mg·1 mm a body; a minute of steps rounds a potential energy of up to mg·2.5 m
- * by 3,600 · 2.5 m · 1.1e-16 = 1e-12 m of height, 1e-9 of the drop.
+ * energy never rises, so no hop is higher than the drop. Gains are compared with the energy of the
+ * drop, mg·1 mm a body. A minute of steps rounds a potential energy of up to mg·2.5 m by 3,600 ·
+ * 2.5 m · 1.1e-16 = 1e-12 m of height, 1e-9 of the drop.
  */
 final class ElasticRest implements Scenes {
 
     private static final double HORIZON = 60;
     private static final double MILLIMETRE = 1e-3;
 
-    /** Of the drop, as derived above. */
+    /** Round-off as a share of the drop, as derived above. */
     private static final double ROUND_OFF = 1e-9;
 
     @Override

@@ -9,9 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Truth: the laws do not know where the origin is. A stepped pyramid of 5 + 3 + 1 boxes, dropped by
- * 1 cm a storey, settles the same at 0, 1e7 and 1e9 m, but for the distance of neighbouring doubles
- * there (1.9e-9 and 1.2e-7 m), and falls asleep in the same step.
+ * Truth: the laws do not depend on the origin. A stepped pyramid of 5 + 3 + 1 boxes, dropped by 1
+ * cm a storey, settles equally at 0, 1e7 and 1e9 m, except for the spacing of doubles there (1.9e-9
+ * and 1.2e-7 m), and falls asleep in the same step.
  */
 final class FarAway implements Scenes {
 
@@ -37,7 +37,10 @@ final class FarAway implements Scenes {
         }
     }
 
-    /** One run: the path of every body relative to the place, and when all were asleep. */
+    /**
+     * One run: the path of every body relative to the origin, and the step in which all were
+     * asleep.
+     */
     private static final class Settling {
         final List<Double> path = new ArrayList<>();
         int asleepAt = -1;

@@ -6,9 +6,9 @@ import rigibo.lab.bench.scene.Scene;
 import rigibo.lab.child.Work;
 
 /**
- * Piles at 10⁷ and 10⁸ m. Truth: the laws do not know where the origin is; neighbouring doubles are
- * 2e-9 and 1.5e-8 m apart there, so a pile at 10⁷ m costs what it costs at the origin, and at 10⁸ m
- * it still comes to rest.
+ * Piles at 10⁷ and 10⁸ m. Truth: the laws do not depend on the origin. Neighbouring doubles are
+ * 2e-9 and 1.5e-8 m apart there, so a pile at 10⁷ m takes the work that it takes at the origin, and
+ * one at 10⁸ m still comes to rest.
  */
 final class FarPiles implements Scenes {
 

@@ -5,9 +5,9 @@ import rigibo.lab.truth.Bounces;
 import rigibo.lab.truth.Solid;
 
 /**
- * Truth: a box that lands flat with e = 1 meets the floor at both corners at once; by symmetry it
- * does not turn, and it rebounds to its height, also on a pedestal narrower than itself. One
- * impulse per corner after the other would overshoot.
+ * Truth: a box that lands flat with e = 1 meets the floor at both corners at once. By symmetry it
+ * does not turn, and it rebounds to its height, on a pedestal narrower than itself as well. One
+ * impulse at each corner in turn would overshoot.
  */
 final class FlatLanding implements Scenes {
 

@@ -11,10 +11,11 @@ import java.util.List;
 /**
  * A smooth disc or box slides to and fro in a bowl of flat plates, e = 0. Truth: at a kink of the
  * angle δ a disc keeps the component of its velocity along the next plate, so it loses sin²δ of its
- * energy of motion. A box w × h meets the next plate with one corner and slides on with a corner on
- * each: of its motion along the plate it keeps the projection, in the metric of energy, onto the
- * motion q that both plates allow. With B = cos δ − (h/2w)·sin δ, A = sin²δ·(¼ + (w² + h²)/12w²)
- * that loses A/(A + B²), once for each corner; for small δ both together lose δ²(2/3 + h²/6w²).
+ * kinetic energy. A box w × h meets the next plate with one corner and slides on with a corner on
+ * each plate: it keeps the projection of its motion, in the metric of kinetic energy, onto the
+ * motion q that both plates allow. With B = cos δ − (h/2w)·sin δ and A = sin²δ·(¼ + (w² + h²)/12w²)
+ * it loses A/(A + B²), once for each corner; for small δ the two losses together are δ²(2/3 +
+ * h²/6w²).
  */
 enum FlatPlateBowl implements Scenes {
     DISC,
@@ -25,10 +26,10 @@ enum FlatPlateBowl implements Scenes {
     private static final double HORIZON = 30;
     private static final int MOST_SWINGS = 10;
 
-    /** Below this share of its energy at the start a body hardly leaves a plate. */
+    /** The share of its energy at the start below which a body hardly leaves a plate. */
     private static final double LEAST_ENERGY = 0.05;
 
-    /** Of what kinks took, and of the start: by so much energy may be off. */
+    /** Limits of the energy's error, as a share of what kinks took and of the start. */
     private static final Limits BY_LOSS = Limits.of(0.03, 0.005);
 
     private static final Limits BY_START = Limits.of(1e-3, 1e-5);
@@ -75,7 +76,7 @@ enum FlatPlateBowl implements Scenes {
         }
     }
 
-    /** What one corner of a box takes of its energy of motion at a kink, as a share. */
+    /** The share of its kinetic energy that one corner of a box loses at a kink. */
     static double cornerLoss(double kink, double width, double height) {
         double sin = Math.sin(kink);
         double along = Math.cos(kink) - height / (2 * width) * sin;
@@ -123,7 +124,7 @@ enum FlatPlateBowl implements Scenes {
         }
     }
 
-    /** Of motion and height, as a height in m. */
+    /** Kinetic and potential energy of a body, as a height in m. */
     private static double energy(RigidBody body) {
         return body.y() + body.kineticEnergy() / (body.mass() * Trial.GRAVITY);
     }

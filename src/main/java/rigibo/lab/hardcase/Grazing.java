@@ -8,9 +8,8 @@ import rigibo.lab.truth.Solid;
  * A smooth elastic disc of ½ m passes the corner of a post at 100 m/s, its path 0.1 mm too high or
  * too low, or flies through a gap 2 mm wider than itself. Truth: the high one and the one in the
  * gap keep their velocity to the last bit. The low one touches where the normal has ny = 1 − 2e-4
- * and leaves with v − 2(v·n)n. A path that meets the corner δ too early has ny smaller by 2δ: at
- * GAME, where δ may be 0.1 mm, the angle is known to no better than about half of itself, which is
- * 0.02 of v.
+ * and leaves with v − 2(v·n)n. A path that meets the corner δ too early has ny smaller by 2δ: GAME,
+ * where δ may be 0.1 mm, determines the angle to about half of itself, which is 0.02 of v.
  */
 final class Grazing implements Scenes {
 

@@ -13,14 +13,15 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * J4, J5 and J12: links in a row. A link that carries W at its centre between a pull of H to either
- * side and V₋ and V₊ = V₋ − W upwards and downwards is in balance at tan θ = (V₋ + V₊)/2H: moments
- * about its centre. Links laid so are at rest, and what holds the ends pulls with √(H² + V²). What
- * hangs straight pulls by its weight, and a cantilever turns its wall by weight times lever.
+ * J4, J5 and J12: links in a row. A link that carries W at its centre, between a pull of H to
+ * either side and V₋ and V₊ = V₋ − W upwards and downwards, is in balance at tan θ = (V₋ + V₊)/2H,
+ * by moments about its centre. Links laid at these angles are at rest, and the ends are held by
+ * √(H² + V²). A hanging chain pulls by its weight, and a cantilever loads its wall by weight times
+ * lever.
  */
 final class HangingChains {
 
-    /** As of every pendulum (J1). */
+    /** Limits of swings, as of every pendulum (J1). */
     private static final Limits SWING = Limits.of(1e-3, 1e-6);
 
     private static final Limits STRETCH = Limits.of(1e-3, 1e-6);
@@ -46,7 +47,7 @@ final class HangingChains {
         }
     }
 
-    /** At a density of 1, kg. */
+    /** Mass of a link at a density of 1, kg. */
     private static double mass(double length, double height) {
         return length * height;
     }
@@ -149,7 +150,9 @@ final class HangingChains {
         }
     }
 
-    /** Thirty links in a straight line, with a bob of so many times a link's mass at the end. */
+    /**
+     * Thirty links in a straight line, with a bob at the end whose mass is a multiple of a link's.
+     */
     private static void hang(Trial trial, double length, double ratio, double angle) {
         int links = 30;
         WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
@@ -228,7 +231,7 @@ final class HangingChains {
         bridge.stays(trial, 5, MOMENT);
     }
 
-    /** Planks without slack; the guard holds the energy. */
+    /** A disc rolls over planks without slack; the guard checks the energy. */
     private static void roll(Trial trial, double length, double radius) {
         int planks = 40;
         WatchedPool pool = trial.jointedEarth();

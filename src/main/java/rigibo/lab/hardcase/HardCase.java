@@ -101,7 +101,7 @@ public record HardCase(
             return measures.stream().allMatch(Measure::passes);
         }
 
-        /** The figure that is nearest to its limit, or farthest beyond it. */
+        /** The figure nearest to its limit, or farthest beyond it. */
         public Measure worst() {
             return measures.stream()
                     .min(

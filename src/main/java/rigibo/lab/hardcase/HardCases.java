@@ -16,12 +16,12 @@ public final class HardCases {
 
     private HardCases() {}
 
-    /** Cases whose every figure is within its limit at GAME and at EXACT; tests hold them there. */
+    /** Cases that keep every limit at GAME and at EXACT; tests hold them there. */
     public static List<HardCase> held() {
         return HELD;
     }
 
-    /** Cases whose truth is defined and not yet reached in every figure. */
+    /** Cases that do not yet keep every limit. */
     public static List<HardCase> open() {
         return OPEN;
     }

@@ -5,9 +5,9 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Solid;
 
 /**
- * Truth: momentum is kept and the relative velocity turns into −e of itself, so v1′ = ((m1 −
- * e·m2)v1 + (1 + e)m2·v2)/(m1 + m2) and likewise v2′, at t = gap/(v1 − v2). Where both are
- * afterwards tells the place of the impact.
+ * Truth: momentum is kept and the relative velocity becomes −e of itself, so v1′ = ((m1 − e·m2)v1 +
+ * (1 + e)m2·v2)/(m1 + m2) and likewise v2′, at t = gap/(v1 − v2). The place of the impact follows
+ * from where both are afterwards.
  */
 final class HeadOn implements Scenes {
 

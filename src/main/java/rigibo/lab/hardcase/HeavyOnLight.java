@@ -10,9 +10,9 @@ import rigibo.lab.truth.Solid;
 import java.util.List;
 
 /**
- * Truth: what is light carries what is heavy; nothing moves, so after 2 s no overlap is above 2 L
- * and nothing was pushed out. Ratios up to 100 are promised from GAME on, 1,000 and the large box
- * from FINE on, 10,000 at EXACT.
+ * Truth: light bodies carry heavy ones. Nothing moves, so after 2 s no overlap exceeds 2 L and no
+ * body was pushed out. Ratios up to 100 are promised from GAME on, 1,000 and the large box from
+ * FINE on, 10,000 at EXACT.
  */
 final class HeavyOnLight implements Scenes {
 
@@ -55,7 +55,7 @@ final class HeavyOnLight implements Scenes {
         judge(trial, pool, light);
     }
 
-    /** The box has 400 times the area of a box below it and falls by 1 cm. */
+    /** A box with 400 times the area of each box below it falls by 1 cm. */
     private static void large(Trial trial, Shape support, double centre) {
         WatchedPool pool = trial.ground(0.6, 0);
         BodyDefinition post = Solid.of(support, 0.6, 0);

@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * J13: a car on springs, with light wheels, on a slope β. At rest, braked by its rear wheel, the
- * slope carries a share of its weight W on that wheel, by moments about where the front one stands.
- * Driven with a torque that is just enough, F = W·sin β, nothing changes in that: the drive acts
+ * J13: a car on springs, with light wheels, on a slope β. Its rear wheel brakes it at rest. The
+ * share of its weight W on that wheel follows from moments about the foot of the front wheel.
+ * Driven with the torque that just holds it, F = W·sin β, the share stays, since the drive acts
  * along the slope. So it climbs if, and only if, tan β is below μ times that share of W·cos β.
  */
 final class HillCar {
@@ -24,7 +24,7 @@ final class HillCar {
     private static final double CHASSIS = 100;
     private static final double WHEEL = 1;
 
-    /** How far from the least friction the outcome is asked. */
+    /** Distance from the least friction at which the outcome is tested. */
     private static final Limits UNDECIDED = Limits.of(0.03, 0.01);
 
     private HillCar() {}
@@ -106,7 +106,10 @@ final class HillCar {
             return parts.stream().mapToDouble(RigidBody::mass).sum() * Trial.GRAVITY;
         }
 
-        /** Moments of all weights about where the front wheel stands, N: what the rear carries. */
+        /**
+         * The load of the rear wheel, N, by moments of all weights about the foot of the front
+         * wheel.
+         */
         double rearLoad(double angle) {
             double standX = front().x() + RADIUS * Math.sin(angle);
             double standing = Math.hypot(front().x() - back().x(), front().y() - back().y());

@@ -3,8 +3,8 @@ package rigibo.lab.hardcase;
 import rigibo.lab.child.Work;
 
 /**
- * An hour of simulated time. Truth: once warm, a step allocates nothing, and the last minute does
- * no more work than the second. Work is counted rather than time, which depends on the machine.
+ * An hour of simulated time. Truth: once warm, a step allocates nothing, and the last minute takes
+ * no more work than the second. Work is counted, since time depends on the machine.
  */
 final class Hour {
 
@@ -12,10 +12,7 @@ final class Hour {
 
     private static final int STEPS_A_MINUTE = STEPS / 60;
 
-    /**
-     * The growth of work that is allowed, since a moving scene does not do the same in every
-     * minute.
-     */
+    /** The growth of work that is allowed, since a moving scene varies from minute to minute. */
     private static final double MOST_GROWTH = 0.01;
 
     private final Trial trial;

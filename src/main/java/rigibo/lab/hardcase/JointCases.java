@@ -8,21 +8,21 @@ import java.util.List;
 final class JointCases {
 
     private static final String DRIFT =
-            "Crowds of joints that are beyond the budget of elimination are passed over, and"
-                    + " their joints drift.";
+            "Crowds of joints beyond the budget of elimination are solved in passes, and their"
+                    + " joints drift.";
 
     private static final String SAG =
-            "A row as long as its span sags by the square root of what its hinges come apart"
-                    + " by. Where they are closed again, by micrometres, the row rises by"
-                    + " millimetres, and nothing pays for its height.";
+            "A row as long as its span sags by the square root of the gaps in its hinges."
+                    + " Closing them by micrometres raises the row by millimetres, which adds"
+                    + " energy.";
 
     private static final String ROLL =
-            "Under a disc that rolls over it a bridge trembles, with periods of a few steps. In"
-                    + " steps of order two its energy goes up and down by more than that.";
+            "A bridge under a rolling disc trembles with periods of a few steps. Steps of second"
+                    + " order change its energy by more than the limit.";
 
     private JointCases() {}
 
-    /** Those whose every figure is within its limit at GAME and at EXACT. */
+    /** Cases that keep every limit at GAME and at EXACT. */
     static List<HardCase> held() {
         CaseList list = new CaseList();
         list.fromGame(
@@ -39,10 +39,10 @@ final class JointCases {
                 HangingChains::catenaries);
         list.fromGame(
                 "J5", "light links carry ten thousand times their mass", HangingChains::heavyBobs);
-        list.fromGame("J7", "mechanisms are where geometry says", Mechanisms::run);
+        list.fromGame("J7", "mechanisms move as their geometry says", Mechanisms::run);
         list.fromGame(
                 "J13",
-                "a car's wheels carry what statics says, and it climbs if they hold",
+                "a car's wheels carry the loads of statics, and it climbs if they grip",
                 HillCar::run);
         list.fromGame(
                 "J8",
@@ -54,7 +54,8 @@ final class JointCases {
                 DrivenJoints::motors);
         list.fromGame(
                 "J10",
-                "what strikes its limit stops there, or rebounds with e² of its energy",
+                "a body that reaches the limit of its joint stops, or rebounds with e² of its"
+                        + " energy",
                 DrivenJoints::limits);
         list.fromGame("J14", "a joint breaks at its load", DrivenJoints::breaks);
         list.fromGame(
@@ -63,11 +64,11 @@ final class JointCases {
                 JointImpacts::cradles);
         list.fromGame(
                 "J11",
-                "a rope that goes taut stops its ends along it, and carries a turn",
+                "a rope that goes taut stops its ends along it, and holds a bob that turns on it",
                 JointImpacts::ropes);
         list.fromGame(
                 "J17",
-                "what strikes a jointed body strikes all that is joined",
+                "a blow on a jointed body moves all bodies joined to it",
                 JointImpacts::blows);
         list.fromGame(
                 "J16",
@@ -76,7 +77,7 @@ final class JointCases {
         return list.all();
     }
 
-    /** Those whose truth is not yet reached in every figure. */
+    /** Cases that do not yet keep every limit. */
     static List<HardCase> open() {
         CaseList list = new CaseList();
         list.fromGame(
@@ -101,11 +102,11 @@ final class JointCases {
                 .finding(ROLL);
         list.add(
                 "J15/contraptions",
-                "trees of any joints and shapes that fall on each other keep apart",
+                "trees of any joints and shapes fall on each other without overlap",
                 Contraptions::run);
         list.add(
                         "J12/taut",
-                        "a bridge as long as its span stays closed under what falls on it",
+                        "a bridge as long as its span stays closed under falling bodies",
                         TautBridges::fallOnAll)
                 .finding(SAG);
         return list.all();

@@ -11,8 +11,8 @@ import java.util.function.IntFunction;
 
 /**
  * J15: a pile of ragdolls, a net of hinges and sprung doors. Joints hold to within 1 mm at any
- * time, and no energy comes from nothing. Ragdolls rub in their hinges and on each other, doors are
- * damped: they are at rest within 15 s and then sleep. Nothing damps a net.
+ * time, and no energy is gained. Ragdolls have friction in their hinges and on each other, doors
+ * are damped: they rest within 15 s and then sleep. A net has no damping.
  */
 record JointCrowd(int few, int all, boolean rests, IntFunction<Scene> scene) implements Scenes {
 

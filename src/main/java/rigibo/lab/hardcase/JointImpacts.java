@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * J6, J11 and J17. A blow goes through joints at once: the bodies that are joined answer it with
- * the mass that they have together at the point struck and along its normal.
+ * J6, J11 and J17. A blow passes through joints at once: joined bodies respond with their common
+ * effective mass at the point struck, along its normal.
  */
 final class JointImpacts {
 
@@ -64,7 +64,7 @@ final class JointImpacts {
         }
     }
 
-    /** How high it is by its energy, of which near the apex some is still of motion, m. */
+    /** The height of its apex by its energy, since some of it is still kinetic near the apex, m. */
     private static double rise(RigidBody disc, double length) {
         return disc.y() + length + speed(disc) * speed(disc) / (2 * Trial.GRAVITY);
     }
@@ -88,8 +88,8 @@ final class JointImpacts {
     }
 
     /**
-     * One flies off from the other, which rests, until the rope is taut: along it both go on at
-     * m·u/(m + M), across it each as before.
+     * One body flies away from the other, which rests, until the rope is taut. Along the rope both
+     * go on at m·u/(m + M), across it each keeps its velocity.
      */
     private static void jerk(Trial trial, double ratio, double speed, double aside) {
         WatchedPool pool = trial.jointedSpace();
@@ -101,7 +101,7 @@ final class JointImpacts {
         while (pool.time() < (taut - 0.3) / speed) {
             pool.step();
         }
-        // In the next step the rope is taut; then it turns, at the rate that it was left with.
+        // In the next step the rope is taut; then it turns at the rate that the jerk left.
         pool.step();
         double along = (taut * speed) / (1 + ratio);
         trial.relativeError("momentum", pool.pool().momentumX(), speed, "of all", MOMENTUM);
@@ -124,7 +124,7 @@ final class JointImpacts {
             double x = pull(bob, length, v, true);
             double y = pull(bob, length, v, false);
             pool.step();
-            // The mean of a force over a step is the momentum that it gave: by the true speeds.
+            // The mean force over a step is the change of momentum, here of the true velocities.
             x = (pull(bob, length, v, true) - x) / Trial.DT;
             y = (pull(bob, length, v, false) - y) / Trial.DT + Trial.GRAVITY;
             double off = Math.hypot(rope.reactionForceX() - x, rope.reactionForceY() - y);
@@ -134,7 +134,7 @@ final class JointImpacts {
         }
     }
 
-    /** The true velocity where the bob is, along x or y, m/s. */
+    /** The true velocity at the bob's place, along x or y, m/s. */
     private static double pull(RigidBody bob, double length, double v, boolean isX) {
         double angle = Math.atan2(bob.x(), -bob.y());
         double cos = Math.cos(angle);
@@ -164,14 +164,15 @@ final class JointImpacts {
 
     /**
      * Two boxes on a hinge at (½, 0) at rest; a ball falls on the left one at x. With m, I and a =
-     * ½ of either box the hinge hands on H = J·(1/m + a·x/I)/(2/m + 2a²/I), and the boxes answer
+     * ½ of either box the hinge transmits H = J·(1/m + a·x/I)/(2/m + 2a²/I), and the boxes respond
      * with k = 1/m + x²/I − (H/J)·(1/m + a·x/I).
      */
     private static void strikeFree(
             Trial trial, double mass, double speed, double at, double elasticity) {
         WatchedPool pool = trial.jointedSpace();
         if (trial.preset() == Preset.DRAFT) {
-            // A draft's leapfrog errs by (ωh)² in energy, and these turn by a radian in a substep.
+            // At DRAFT the leapfrog errs by (ωh)² in energy, and these turn by a radian in a
+            // substep.
             pool.withEnergyOfItsOwn();
         }
         BodyDefinition box = Solid.box(1, 0.4, 0, 0);

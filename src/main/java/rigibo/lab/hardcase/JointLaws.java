@@ -23,10 +23,10 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 
 /**
- * J16: what joined bodies do depends on nothing but the scene. A chain of bars with limits, a
- * motor, a spring and a weight goes the same way to the bit mirrored, 64 times as large under 64
- * times the gravity, beside strangers, and from a snapshot within a swing; to round-off in whatever
- * order its bodies and joints come, and in a frame that moves.
+ * J16: joined bodies depend on nothing but the scene. A chain of bars with limits, a motor, a
+ * spring and a weight keeps its bits when it is mirrored, 64 times as large under 64 times the
+ * gravity, beside strangers, and restored from a snapshot within a swing. It stays equal to
+ * round-off in any order of its bodies and joints, and in a frame that moves.
  */
 final class JointLaws {
 
@@ -34,12 +34,15 @@ final class JointLaws {
     private static final int LINKS = 6;
     private static final double HORIZON = 2;
 
-    /** Orders and frames change the rounding of sums alone; a chain amplifies it. */
+    /**
+     * The difference that is allowed: orders and frames change only the rounding of sums, which a
+     * chain amplifies.
+     */
     private static final double ROUND_OFF = 1e-6;
 
     private JointLaws() {}
 
-    /** A chain, as it is told a pool. */
+    /** A chain, as it is stated to a pool. */
     private record Chain(double side, double scale, double carried, long order, double[] draws) {
 
         Chain mirrored() {
@@ -112,7 +115,7 @@ final class JointLaws {
                     .withEnergyOfItsOwn();
         }
 
-        /** Where the links are in the end, in the frame and measure of the plain chain. */
+        /** The final places of the links, in the frame and scale of the plain chain. */
         double[] run(Trial trial) {
             WatchedPool pool = pool(trial);
             List<RigidBody> links = build(pool);
@@ -175,7 +178,10 @@ final class JointLaws {
         return chain.places(again.bodies(), again.time());
     }
 
-    /** Welds, gears, cuts and changes kinds while it swings: joints hold, energy is not gained. */
+    /**
+     * Welds, gears, cuts and changes kinds of joints while it swings: joints hold, no energy is
+     * gained.
+     */
     private static void edit(Trial trial, Chain chain) {
         WatchedPool pool = chain.pool(trial);
         List<RigidBody> links = chain.build(pool);

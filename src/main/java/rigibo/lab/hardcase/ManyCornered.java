@@ -9,10 +9,10 @@ import rigibo.lab.truth.Solid;
 
 /**
  * Regular polygons and a disc of 1 m start rolling down 10° at 1 m/s. Truth: when the next corner
- * lands, at the angle α = 2π/n, the angular momentum about it leaves ω′/ω = (½ + cos α)/(½ + 1), so
- * the energy falls by 2α²/3 a corner and by 2α/3r a metre: less with more corners. From this the
- * way covered while the disc rolls 5 m is 1.5 % behind the disc's at 256 corners and r = 1 m,
- * within the 2 % asked for; it would be 2.9 % at r = ½ m.
+ * lands, at the angle α = 2π/n, the angular momentum about it gives ω′/ω = (½ + cos α)/(½ + 1). The
+ * energy falls by 2α²/3 a corner and by 2α/3r a metre: less with more corners. So while the disc
+ * rolls 5 m, the way of 256 corners is 1.5 % shorter at r = 1 m, within the 2 % asked for; at r = ½
+ * m it would be 2.9 %.
  */
 final class ManyCornered implements Scenes {
 
@@ -21,7 +21,7 @@ final class ManyCornered implements Scenes {
     private static final double SPEED = 1;
     private static final double WAY = 5;
 
-    /** What a phase of the rolling edge may move the comparison of two ways, as a share. */
+    /** The share by which the phase of the rolling edge may change the comparison of two ways. */
     private static final double LEEWAY = 1e-3;
 
     @Override

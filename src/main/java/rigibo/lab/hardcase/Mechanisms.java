@@ -16,11 +16,11 @@ import rigibo.lab.truth.Solid;
 import java.util.SplittableRandom;
 
 /**
- * J7: mechanisms with one freedom, driven at a given speed away from dead points, so that where
- * everything is follows from geometry. A slider crank: x = r·cos φ + √(l² − r²·sin²φ). A four-bar:
- * its joint is where two circles meet. A scissor lift of n crosses of bars L: n·L·sin φ high. A
- * gear pair under a torque τ: α = τ/(I₁ + I₂/ρ²). Atwood: a = (m₁ − m₂)g/(m₁ + m₂). A coupler on
- * more legs than it needs goes in a circle.
+ * J7: mechanisms with one degree of freedom, driven at a given speed away from dead points, so that
+ * all places follow from geometry. A slider crank: x = r·cos φ + √(l² − r²·sin²φ). A four-bar: its
+ * joint is where two circles meet. A scissor lift of n crosses of bars L: n·L·sin φ high. A gear
+ * pair under a torque τ: α = τ/(I₁ + I₂/ρ²). Atwood: a = (m₁ − m₂)g/(m₁ + m₂). A coupler on more
+ * legs than it needs moves in a circle.
  */
 final class Mechanisms {
 
@@ -56,7 +56,7 @@ final class Mechanisms {
                         .group(1));
     }
 
-    /** A hinge that turns its second body at a speed, whatever it takes. */
+    /** A hinge that turns its second body at a speed, whatever torque that takes. */
     private static JointDefinition crank(
             RigidBody frame, RigidBody bar, double x, double y, double speed) {
         return RevoluteJoint.at(frame, bar, x, y).motor(speed, UNBOUNDED);
@@ -88,7 +88,10 @@ final class Mechanisms {
         }
     }
 
-    /** The crank is the shortest, and with the frame shorter than the others: it turns round. */
+    /**
+     * A four-bar whose crank is the shortest bar and, together with the frame, shorter than the
+     * others, so that it turns fully.
+     */
     private static void fourBar(Trial trial, double a, double speed, SplittableRandom random) {
         double frameLength = a * (2 + random.nextDouble());
         double coupler = a * (2.5 + random.nextDouble());
@@ -210,7 +213,7 @@ final class Mechanisms {
             pool.join(RevoluteJoint.at(leg, coupler, i, length));
         }
         double middle = (legs - 1) / 2.0;
-        // Where all legs lie in one line they may go on either way: a dead point at a quarter turn.
+        // With all legs in one line it may go on either way: a dead point at a quarter turn.
         while (Math.abs(speed * pool.time()) < 1.2) {
             pool.step();
             double phi = speed * pool.time();

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A pile on a floor that moves at a constant speed, and all of it with the floor. Truth: the laws
- * are the same in both frames, so the pile does what it does on a floor at rest, at the same cost.
+ * A pile that moves with its floor at a constant speed. Truth: the laws are equal in both frames,
+ * so the pile does what it does on a floor at rest, with as much work.
  */
 final class MovingFloor implements Scenes {
 
@@ -17,7 +17,7 @@ final class MovingFloor implements Scenes {
     private static final Limits MOST_OFF = Limits.same(1e-6);
     private static final Limits MOST_WORK = Limits.same(0.05);
 
-    /** A pile that stands goes on standing: looked at again after so many s. */
+    /** The time after which a standing pile is checked again, s. */
     private static final double LATE = 3;
 
     @Override
@@ -47,7 +47,7 @@ final class MovingFloor implements Scenes {
         trial.measure("work", share, "of that at rest", MOST_WORK);
     }
 
-    /** Where all bodies are against the first, step by step, and what it costs. */
+    /** The places of all bodies relative to the first, step by step, and the work. */
     private static final class Course {
 
         private final List<double[]> places = new ArrayList<>();

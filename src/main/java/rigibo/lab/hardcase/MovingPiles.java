@@ -8,33 +8,33 @@ import rigibo.lab.bench.scene.Crowd;
 import java.util.List;
 import java.util.Locale;
 
-/** Cases of much that moves, M1 to M16. */
+/** Cases of moving piles, M1 to M16. */
 final class MovingPiles {
 
     private static final Shape DISC = new Circle(0.35);
     private static final Shape BOX = Polygon.box(0.8, 0.6);
 
     private static final String RAIN =
-            "Heaps lie still and yet are not calm enough to sleep; in larger ones what lands in the"
-                    + " midst of a pile sinks in, deepest where passes leave off, and what is then"
-                    + " pushed out of overlap has energy from nothing.";
+            "Heaps lie still and yet are not calm enough to sleep. In larger ones a body that lands"
+                    + " inside a pile sinks in, deepest where passes end, and its removal from"
+                    + " overlap adds energy.";
 
     private static final String LINE =
-            "What begins at the very same place parts along one line: 200 bodies need more than"
-                    + " 10 s for that at three widths a second.";
+            "Bodies that begin at one point part along one line: 200 of them need more than 10 s"
+                    + " for that at three widths a second.";
 
     private static final String DRIVEN =
-            "What lands on what others press sinks in where passes leave off at DRAFT; a rod"
-                    + " is thin, so that the same depth is more of its width.";
+            "At DRAFT a body that lands on others under load sinks in where passes end; a rod is"
+                    + " thin, so that the same depth is more of its width.";
 
     private static final String SETTLING =
             "When a pyramid that calms down goes from several substeps to one, its kick"
-                    + " begins with longer impulses than the last one had, and passes leave"
-                    + " part of them.";
+                    + " begins with larger impulses than the last one had, and passes do not"
+                    + " remove all that is too much.";
 
     private MovingPiles() {}
 
-    /** Those whose every figure is within its limit at GAME and at EXACT. */
+    /** Cases that keep every limit at GAME and at EXACT. */
     static List<HardCase> held() {
         CaseList list = new CaseList();
         upTo100(list, Crowd.DISCS);
@@ -59,7 +59,7 @@ final class MovingPiles {
         return list.all();
     }
 
-    /** Those whose truth is not yet reached in every figure. */
+    /** Cases that do not yet keep every limit. */
     static List<HardCase> open() {
         CaseList list = new CaseList();
         upTo100(list, Crowd.BOXES).finding(RAIN);
@@ -72,55 +72,56 @@ final class MovingPiles {
         settling(list, "100", SettlingPyramid.HIGH);
         list.fromGame(
                         "M3",
-                        "a heavy bullet drives nothing through a wall, nor itself through a box",
+                        "a heavy bullet passes through no box and pushes none through a wall",
                         new BulletIntoRow())
                 .finding(
-                        "Of a thousand bullets two or three, heavy and fast, are through a box:"
-                            + " elimination has spent what an island is worth, and passes give way"
-                            + " wherever they leave off.");
+                        "Of a thousand bullets two or three, heavy and fast, pass through a box:"
+                            + " elimination has used up its budget, and passes leave overlap where"
+                            + " they end.");
         list.fromGame(
                 "M7",
-                "a rocking block loses at each impact what Housner says, and nothing between",
+                "a rocking block loses energy only at impacts, as much as Housner says",
                 new RockingBlock());
         list.fromGame(
                         "M8",
-                        "a pile on a moving floor fares as on a floor at rest",
+                        "a pile on a moving floor behaves as on a floor at rest",
                         new MovingFloor())
                 .finding(
                         "A pyramid can carry its load in more ways than one. While it moves,"
-                                + " round-off chooses which of them elimination takes.");
+                                + " round-off decides which of them elimination finds.");
         List<Integer> many = List.of(23, 50, 100, 200);
         born(list, "many-discs", new BornAtOneSpot(DISC, List.of(23), many)).finding(LINE);
         born(list, "many-boxes", new BornAtOneSpot(BOX, List.of(23), many)).finding(LINE);
         list.fromGame(
                         "M10",
-                        "a room that is too full comes to rest and says so",
+                        "an overfull room comes to rest and reports its overlap",
                         new OverfullRoom())
                 .finding(
-                        "One room in forty goes on: what falls in it makes it one that moves, and"
-                            + " then it is stirred. The row is kept, but takes tests too long at"
-                            + " EXACT.");
+                        "One room in forty does not come to rest: a falling body makes its island"
+                            + " count as moving, and that stirs it further. Tests do not run this"
+                            + " row at EXACT, which takes too long.");
         list.fromGame(
                         "M12",
-                        "a weak push moves what nothing holds, whatever lies beside it",
+                        "a weak push moves a body that nothing holds, whatever lies beside it",
                         new WeakPush())
                 .finding(
-                        "Below the round-off of what its own contacts carry nothing tells a push"
+                        "A push below the round-off of the loads at its contacts cannot be told"
                                 + " from rest.");
         driven(list, "belt", DrivenCrowd.BELT).finding(DRIVEN);
-        list.fromGame("M14", "far away a pile costs the same and finds its rest", new FarPiles())
+        list.fromGame(
+                        "M14",
+                        "far from the origin a pile takes the same work and comes to rest",
+                        new FarPiles())
                 .finding(
-                        "Far away places are coarser, so that a pyramid settles in another way and"
-                                + " may take more work until it rests; why twice as much is not"
-                                + " known.");
+                        "Far from the origin coordinates are coarser, so that a pyramid settles"
+                                + " differently and may take more work until it rests; why twice as"
+                                + " much is not known.");
         list.add(
-                "M15",
-                "a scene 64 times as large or small goes the same way to the last bit",
-                new ScaledScene());
+                "M15", "a scene 64 times as large or small keeps the same bits", new ScaledScene());
         return list.all();
     }
 
-    /** Those that take minutes. */
+    /** Cases that take minutes. */
     static List<HardCase> longRuns() {
         CaseList list = new CaseList();
         for (Crowd crowd : Crowd.values()) {
@@ -152,18 +153,18 @@ final class MovingPiles {
     }
 
     private static void settling(CaseList list, String storeys, Scenes scenes) {
-        String title = "a pyramid that falls together throws nothing";
+        String title = "a settling pyramid throws no box";
         list.fromGame("M2/" + storeys, title, scenes).finding(SETTLING);
     }
 
     private static void bowl(CaseList list, FlatPlateBowl slider) {
         String name = name(slider);
-        String loses = " in a bowl of plates loses what the kinks take, and gains nothing";
+        String loses = " in a bowl of plates loses energy at the kinks alone, and gains none";
         list.fromGame("M4/" + name, "a " + name + loses, slider);
     }
 
     private static CaseList born(CaseList list, String name, Scenes scenes) {
-        String title = "bodies born at one spot part slowly, however many there are";
+        String title = "bodies that begin at one point part slowly, however many there are";
         return list.fromGame("M9/" + name, title, scenes);
     }
 
@@ -173,9 +174,9 @@ final class MovingPiles {
 
     private static CaseList driven(CaseList list, String name, Scenes scenes) {
         String title =
-                "nobody leaves a crowd that is driven ("
+                "a driven crowd ("
                         + name
-                        + "), and no energy comes in unseen";
+                        + ") loses no body and gains only the energy of its drive";
         return list.add("M13/" + name, title, scenes);
     }
 }

@@ -2,12 +2,12 @@ package rigibo.lab.hardcase;
 
 import java.util.List;
 
-/** Cases of the catalogue that have a number of their own, and those of the first report. */
+/** The cases with a number, and those of the origin report. */
 final class NumberedCases {
 
     private NumberedCases() {}
 
-    /** Those whose every figure is within its limit at GAME and at EXACT. */
+    /** Cases that keep every limit at GAME and at EXACT. */
     static List<HardCase> held() {
         CaseList list = new CaseList();
         list.add("1", "a thrown body follows its parabola", new FreeFlight());
@@ -58,7 +58,7 @@ final class NumberedCases {
                 new RollingToStop());
         list.ofImpacts(
                 "63",
-                "a conveyor takes up what lies on it and carries it at its speed",
+                "a conveyor accelerates bodies to its speed and carries them",
                 new Conveyor());
         list.add("40", "no bullet passes a wall", new Bullets());
         list.add("41", "a disc in a room follows the unfolded line", new Billiard());
@@ -72,18 +72,18 @@ final class NumberedCases {
                 new Zeno());
         list.ofImpacts("50", "as many discs leave a row as came in", new Cradle())
                 .finding(
-                        "At DRAFT nobody looks for impacts in flight: what is fast is found"
-                                + " in overlap a step later, and pushed out.");
+                        "DRAFT does not search for impacts in flight: a fast body is found in"
+                                + " overlap a step later, and pushed out.");
         list.add(
                 "57",
                 "senseless input is refused and extreme input stays finite",
                 new DegenerateInput());
-        list.add("58", "far from the origin a pyramid settles the same", new FarAway());
+        list.add("58", "far from the origin a pyramid settles in the same way", new FarAway());
         list.add("64", "a box crushed between walls does not explode", new Crush());
-        list.add("65", "what loses its support falls freely, at once", new DeletedSupport());
+        list.add("65", "bodies that lose their support fall freely at once", new DeletedSupport());
         list.add(
                 "65/event",
-                "what a contact event names can be removed at once",
+                "a body named by a contact event can be removed at once",
                 new RemovedOnContact());
         list.add(
                 "origin/edge",
@@ -99,14 +99,18 @@ final class NumberedCases {
                 new IceAndRubber());
         list.add(
                 "origin/elasticity",
-                "elasticity 1 never stops, one half stops in the end, 0 stays where it" + " lands",
+                "a box of elasticity 1 never stops, one of ½ stops in the end, one of 0 stays where"
+                        + " it lands",
                 new ThreeElasticities());
         list.add("9", "the order in which bodies are added does not matter", new OrderOfBodies());
-        list.add("16", "vertex meets vertex without harm", new CornerOnCorner());
+        list.add(
+                "16",
+                "a collision of two vertices keeps energy and symmetry",
+                new CornerOnCorner());
         list.add("44", "a thin fast turning box never passes the floor", new SkinnyBox())
                 .finding(
-                        "At DRAFT nobody looks for impacts in flight: what is fast is found"
-                                + " in overlap a step later, and pushed out.");
+                        "DRAFT does not search for impacts in flight: a fast body is found in"
+                                + " overlap a step later, and pushed out.");
         list.ofImpacts(
                 "51",
                 "a disc that meets two at once rebounds with a fifth of its speed",
@@ -115,7 +119,7 @@ final class NumberedCases {
         list.add("60/wave", "the wave of falling dominoes is steady", Dominoes::wave);
         list.ofCorners(
                 "33",
-                "a pushed rod slides as its equation says, and without one it does no harm",
+                "a pushed rod slides by its equation, and does no harm where that has no solution",
                 new Painleve());
         list.add("60/arch", "an arch of stones stands by its own weight", new Arch());
         list.add("22", "a column of discs does not fall by itself", new DiscColumn());
@@ -129,7 +133,10 @@ final class NumberedCases {
                 "a pyramid with a base of 30 boxes of 0.05 m is at rest",
                 new Pyramid(30, 0.05));
         list.add("20/untidy", "a stack set down carelessly stands", new UntidyStack());
-        list.add("64/turning", "what a turning press crushes does not explode", new TurningPress());
+        list.add(
+                "64/turning",
+                "bodies crushed by a turning press do not explode",
+                new TurningPress());
         list.add("47", "nothing catches at the joints of a floor", new ButtedBoxes());
         list.add(
                 "56",
@@ -138,7 +145,7 @@ final class NumberedCases {
         return list.all();
     }
 
-    /** Those whose truth is not yet reached in every figure. */
+    /** Cases that do not yet keep every limit. */
     static List<HardCase> open() {
         CaseList list = new CaseList();
         list.ofCorners(
@@ -146,29 +153,28 @@ final class NumberedCases {
                         "the more corners a wheel has, the more it rolls like a disc",
                         new ManyCornered())
                 .finding(
-                        "By the impacts of its corners alone a wheel of 256 is 1.5 %"
-                                + " behind, so 2 % leaves half a percent. At 3.4 m/s a corner"
-                                + " lands 2.3 times a step; at GAME it lands within 0.1 mm of"
-                                + " the slope, and what it falls through costs the rest. At"
-                                + " EXACT the wheel of 16 corners has a little more energy"
-                                + " after ten steps than it began with.");
+                        "By the impacts of its corners alone a wheel of 256 corners is 1.5 %"
+                                + " behind, so the limit of 2 % leaves half a percent. At 3.4 m/s"
+                                + " 2.3 corners land in a step; at GAME each lands within 0.1 mm of"
+                                + " the slope, and these heights cost the rest. At EXACT the wheel"
+                                + " of 16 corners has a little more energy after ten steps than it"
+                                + " began with.");
         list.ofCorners(
                         "60/dominoes",
-                        "a row of dominoes falls, and one falls only if struck enough",
+                        "a row of dominoes falls, and a domino falls only if struck hard enough",
                         Dominoes::fall)
                 .finding(
-                        "At FINE and EXACT a domino struck at 1.01 of the threshold has"
-                                + " some millionths more energy, when it falls, than it began"
-                                + " with.");
+                        "At FINE and EXACT a domino struck at 1.01 of the threshold gains"
+                                + " some millionths of its energy as it falls.");
         list.add("60/cards", "a house of cards of five storeys stands", new CardHouse())
                 .fastest(Preset.FINE)
                 .finding(
-                        "At EXACT taking back the overlap of the first steps lifts what"
-                                + " lies above by 3e-6 of the energy at the start in a step.");
+                        "At EXACT the removal of overlap in the first steps lifts the cards"
+                                + " above, which adds 3e-6 of the energy at the start in a step.");
         return list.all();
     }
 
-    /** Those that take minutes. */
+    /** Cases that take minutes. */
     static List<HardCase> longRuns() {
         CaseList list = new CaseList();
         list.add("59/stack", "a stack of 20 boxes stands for an hour", Stack::standForAnHour);

@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Truth: the laws do not know in which order bodies were added. Twenty bodies, ten of which meet in
- * five impacts at five different times; the same set shuffled must move the same. A pair shuffled
- * changes which body is A, so the last bits may differ.
+ * Truth: the laws do not depend on the order in which bodies were added. Ten of twenty bodies meet
+ * in five impacts at five different times; the shuffled set must move equally. Shuffling may swap
+ * the bodies of a pair, so the last bits may differ.
  */
 final class OrderOfBodies implements Scenes {
 

@@ -14,9 +14,9 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * A closed room that holds more than it has room for. Truth: nothing can be parted there, so that
- * it comes to rest in overlap, which is told, and stays inside; forces are of the size of weights,
- * for no law says more; and a step of rest costs no more than one before.
+ * A closed room with more bodies than fit. Truth: they cannot part, so they come to rest in
+ * overlap, which is reported, and stay inside. Forces are of the size of weights, since no law asks
+ * for more; and a step at rest takes no more work than one before.
  */
 final class OverfullRoom implements Scenes {
 
@@ -63,7 +63,7 @@ final class OverfullRoom implements Scenes {
         trial.measure("overlap", pool.overlapNow(), "width", Limits.NONE);
     }
 
-    /** As many as have so many times the room's area, at places drawn in it. */
+    /** Bodies whose areas add up to a multiple of the room's, at random places in it. */
     private static List<RigidBody> fill(Trial trial, WatchedPool pool, double fill, Shape shape) {
         SplittableRandom random = trial.sampling().random(Math.round(fill * 100));
         int count = (int) Math.ceil(fill * SIDE * SIDE / shape.area());

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
 
-/** Piles that are moved elsewhere or carried along as a whole, where they must behave the same. */
+/** Piles that are moved elsewhere or carried along as a whole, where they must behave equally. */
 final class Piles {
 
     /** The time after which a small heap is at rest, s. */
@@ -33,7 +33,7 @@ final class Piles {
         return piles;
     }
 
-    /** A crowd where it comes to rest. */
+    /** A crowd at the places where it comes to rest. */
     static List<BodyDefinition> settled(List<BodyDefinition> bodies) {
         Pool pool = new Pool(Crowd.EFFECTS, Preset.GAME.accuracy());
         List<RigidBody> heap = bodies.stream().map(pool::add).toList();

@@ -25,17 +25,17 @@ record PlateBowl(double radius, int plates, double lap) {
     /** Plates that reach below the faces of their neighbours, so that no face ends in a corner. */
     static final double LAPPED = 1.4;
 
-    /** Of a kink, rad. */
+    /** Angle of a kink, rad. */
     double kink() {
         return Math.PI / plates;
     }
 
-    /** Of a plate's face, m. */
+    /** Length of a plate's face, m. */
     double length() {
         return 2 * radius * Angle.sin(kink() / 2);
     }
 
-    /** Of a plate against the horizontal, rad; from the left −π/2 to π/2. */
+    /** Slope of a plate against the horizontal, rad; from the left −π/2 to π/2. */
     double slope(int plate) {
         return -Math.PI / 2 + (plate + 0.5) * kink();
     }
@@ -58,7 +58,10 @@ record PlateBowl(double radius, int plates, double lap) {
         return bodies;
     }
 
-    /** The place so far along a plate from its middle, uphill to the right, and above its face. */
+    /**
+     * The point at a distance along a plate from its middle, uphill to the right, and at a height
+     * above its face.
+     */
     double[] on(int plate, double along, double above) {
         double cos = Angle.cos(slope(plate));
         double sin = Angle.sin(slope(plate));

@@ -9,7 +9,7 @@ import java.util.List;
 
 /**
  * A cue ball runs straight into a rack of fifteen, all smooth and elastic. Truth: the scene is its
- * own mirror image, and stays it; energy and momentum are kept.
+ * own mirror image and stays symmetric; energy and momentum are kept.
  */
 final class Rack implements Scenes {
 

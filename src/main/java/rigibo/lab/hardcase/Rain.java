@@ -12,11 +12,10 @@ import rigibo.lab.bench.scene.Scene;
 import java.util.List;
 
 /**
- * Boxes or discs, or both, fall at any angle into a trough. Truth: nothing passes through anything,
- * all energy comes from the fall, and since friction and the rolling resistance of discs, 0.01 r,
- * take it, every heap comes to rest. The last body lands no later than by a free fall from where it
- * began to the floor, √(2y/g); 10 s after that nothing is faster than 1 mm/s, and with Sleep all
- * sleep.
+ * Boxes, discs or both fall at any angle into a trough. Truth: nothing passes through anything, and
+ * all energy comes from the fall. Friction and the rolling resistance of discs, 0.01 r, dissipate
+ * it, so every heap comes to rest. The last body lands no later than by a free fall from its start
+ * to the floor, √(2y/g); 10 s after that nothing is faster than 1 mm/s, and with Sleep all sleep.
  *
  * @param crowd what falls
  * @param overlap its limit in widths of the smaller body, from GAME on

@@ -11,9 +11,9 @@ import rigibo.lab.truth.Earth;
 import rigibo.lab.truth.Solid;
 
 /**
- * Truth with the terminal speed w: dropped through H a ball hits at v² = w²(1 − e^(−2gH/w²)),
- * rebounds without loss, and rises to w²/2g·ln(1 + v²/w²). From its speed v when first seen rising
- * it has w²/g·ln(1/cos(atan(v/w))) to go. The heights put the impact at every phase of a step.
+ * Truth with the terminal speed w: a ball dropped through H hits at v² = w²(1 − e^(−2gH/w²)),
+ * rebounds without loss, and rises to w²/2g·ln(1 + v²/w²). From its first speed v upwards it takes
+ * w²/g·ln(1/cos(atan(v/w))) to the apex. The heights put the impact at every phase of a step.
  */
 final class ReboundThroughAir implements Scenes {
 

@@ -24,7 +24,7 @@ final class Refusals {
     private static final double NAN = Double.NaN;
     private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-    /** What is tried on a pool and a body in it; the key says which field is at fault. */
+    /** The attempts on a pool and a body in it, by the field at fault. */
     private final Map<String, Consumer<RigidBody>> attempts = new LinkedHashMap<>();
 
     private final Pool pool;

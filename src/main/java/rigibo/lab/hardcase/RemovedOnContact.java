@@ -9,9 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A body that a contact event names is removed as soon as the event is read, while all are awake.
- * Truth: what stood on it, or just struck it, keeps the velocity it had and falls freely from the
- * very next step, v = v₀ − g·t; what is below stays. Nothing of the contact acts once more.
+ * A body named by a contact event is removed as soon as the event is read, while all are awake.
+ * Truth: a body that stood on it, or just struck it, keeps its velocity and falls freely from the
+ * next step on, v = v₀ − g·t; every body below stays. The contact acts no more.
  */
 final class RemovedOnContact implements Scenes {
 
@@ -77,7 +77,7 @@ final class RemovedOnContact implements Scenes {
         return event.a() == body || event.b() == body;
     }
 
-    /** Limits are those of what loses its support asleep. */
+    /** Judges with the limits for a sleeping stack that loses its support. */
     private static void judge(Trial trial, WatchedPool pool, List<RigidBody> falling) {
         double[] vx = falling.stream().mapToDouble(RigidBody::velocityX).toArray();
         double[] vy = falling.stream().mapToDouble(RigidBody::velocityY).toArray();

@@ -8,10 +8,10 @@ import rigibo.lab.truth.Solid;
 import java.util.SplittableRandom;
 
 /**
- * A block rocks from corner to corner, e = 0, μ = 2. Truth: the angular momentum about the corner
- * that lands is kept, so ω⁺/ω⁻ = 1 − (3/2)·sin²α with tan α = width/height (Housner, The behavior
- * of inverted pendulum structures during earthquakes, 1963, eq. 6), and the energy of rocking is
- * multiplied by its square; between impacts it is kept.
+ * A block rocks from corner to corner, e = 0, μ = 2. Truth: the angular momentum about the landing
+ * corner is kept, so ω⁺/ω⁻ = 1 − (3/2)·sin²α with tan α = width/height (Housner, The behavior of
+ * inverted pendulum structures during earthquakes, 1963, eq. 6). An impact multiplies the energy of
+ * rocking by the square of that ratio; between impacts the energy is kept.
  */
 final class RockingBlock implements Scenes {
 
@@ -19,7 +19,7 @@ final class RockingBlock implements Scenes {
     private static final double FRICTION = 2;
     private static final double PATIENCE = 60;
 
-    /** A corner that lifts less is not judged, m. */
+    /** The lift below which a corner is not judged, m. */
     private static final double LEAST_LIFT = 1e-3;
 
     private static final Limits LIMITS = Limits.of(0.01, 0.001);
@@ -62,7 +62,10 @@ final class RockingBlock implements Scenes {
         }
     }
 
-    /** Steps until the block leans to the other side: energies before and after its impact. */
+    /**
+     * Steps until the block leans to the other side; returns the energies before and after its
+     * impact.
+     */
     private static double[] swing(WatchedPool pool, RigidBody block, double height) {
         double sign = Math.signum(block.angle());
         double before = energy(block, height);
@@ -77,12 +80,12 @@ final class RockingBlock implements Scenes {
         return new double[] {before, 0};
     }
 
-    /** Of motion, and of height over that of the block at rest, per weight: m. */
+    /** Kinetic energy, and potential energy above that at rest, per weight: m. */
     private static double energy(RigidBody block, double height) {
         return block.y() - height / 2 + block.kineticEnergy() / (block.mass() * Trial.GRAVITY);
     }
 
-    /** Energy, per weight, of the block at rest on a corner while the other is so high. */
+    /** Energy per weight of the block at rest on a corner with the other at a height, m. */
     private static double energyOfLift(double lift, double width, double height) {
         double angle = Math.asin(lift / width);
         return (width * Math.sin(angle) + height * Math.cos(angle) - height) / 2;

@@ -6,7 +6,7 @@ import rigibo.lab.truth.Slope;
 import rigibo.lab.truth.Solid;
 
 /**
- * Truth: a disc that does not slip rolls down with a = g·sin b/(1 + I/mr²) = ⅔·g·sin b, where μ ≥
+ * Truth: a disc that does not slip rolls down with a = g·sin b/(1 + I/mr²) = ⅔·g·sin b if μ ≥
  * tan(b)/3, and rω equals v at every moment.
  */
 final class RollingDown implements Scenes {

@@ -9,15 +9,15 @@ import java.util.SplittableRandom;
 
 /**
  * A disc leaves a round hill, from rest 1° beside its top. Truth: v² = 2g(R + r)(cos θ₀ − cos θ)
- * without friction, 4/3 in place of 2 where it rolls; it leaves where its weight no longer bends
- * its way, v² = g(R + r)·cos θ: at cos θ = (2/3)·cos θ₀, and (4/7)·cos θ₀ where it rolls. From then
- * on its horizontal speed is v·cos θ, so vₓ² = g(R + r)·cos³θ tells θ.
+ * without friction, with 4/3 in place of 2 where it rolls. It leaves where its weight cannot bend
+ * its path any more, v² = g(R + r)·cos θ: at cos θ = (2/3)·cos θ₀, and (4/7)·cos θ₀ where it rolls.
+ * After that its horizontal speed is v·cos θ, so vₓ² = g(R + r)·cos³θ gives θ.
  */
 final class RoundHill implements Scenes {
 
     private static final double START = Math.toRadians(1);
 
-    /** With less, a disc slips as its weight on the hill falls to 0. */
+    /** With less friction a disc slips while its load on the hill falls to 0. */
     private static final double FRICTION = 100;
 
     private static final double PATIENCE = 30;

@@ -7,11 +7,10 @@ import rigibo.backend.geometry.Shape;
 import rigibo.lab.truth.Solid;
 
 /**
- * Bodies dropped with a sideways velocity. Truth: friction turns two thirds of a disc's velocity
- * into rolling (m·v = m·v′ + I·v′/r²), which goes on; a flat box stops at the latest after v²/2μg
- * from where it fell to. Of boxes of one area, those with side to height above μ cannot tip, for
- * the friction μN has the lever h/2 and the weight w/2; and the longer the side, the less they
- * turn.
+ * Bodies dropped with a horizontal velocity. Truth: friction turns two thirds of a disc's velocity
+ * into rolling (m·v = m·v′ + I·v′/r²), which goes on; a flat box stops within v²/2μg of where it
+ * landed. A box whose side exceeds μ times its height cannot tip, since the friction μN has the
+ * lever h/2 and the weight w/2. Of boxes of equal area, those with longer sides turn less.
  */
 final class RoundRolls implements Scenes {
 

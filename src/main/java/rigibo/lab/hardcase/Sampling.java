@@ -5,14 +5,14 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 
 /**
- * Which of a case's many variants are tried.
+ * The choice among the variants of a case.
  *
- * @param extent how many
- * @param seed of what is drawn: another one tries variants that nobody has seen before
+ * @param extent how many are run
+ * @param seed of random variants
  */
 public record Sampling(Extent extent, long seed) {
 
-    /** More than any case has: no two variants of two seeds draw the same. */
+    /** More variants than any case has, so that variants of different seeds never coincide. */
     private static final long VARIANTS = 1_000_003;
 
     /** A few variants of the usual seed. */
@@ -22,7 +22,7 @@ public record Sampling(Extent extent, long seed) {
     public enum Extent {
         /** So few that a case takes seconds. */
         SMALL,
-        /** As many as the case's truth is stated for. */
+        /** All that the case's truth is stated for. */
         FULL
     }
 
@@ -36,12 +36,12 @@ public record Sampling(Extent extent, long seed) {
         return extent == Extent.FULL ? all : few;
     }
 
-    /** Draws for so many variants. */
+    /** A random source for each of a number of variants. */
     List<SplittableRandom> draws(int few, int all) {
         return IntStream.range(0, count(few, all)).mapToObj(this::random).toList();
     }
 
-    /** Draws for one variant, which do not depend on the variants before. */
+    /** A random source for one variant, independent of the variants before. */
     SplittableRandom random(long variant) {
         return new SplittableRandom(seed * VARIANTS + variant);
     }

@@ -17,8 +17,8 @@ import java.util.Map;
 
 /**
  * Scenes 64 times larger or smaller, with gravity scaled likewise. Truth: all lengths and speeds
- * are scaled by a power of two, which no rounding sees, and tolerances belong to bodies: every bit
- * stays the same.
+ * are scaled by a power of two, which changes no rounding, and tolerances are relative to bodies:
+ * scaled back, every bit is equal.
  */
 final class ScaledScene implements Scenes {
 

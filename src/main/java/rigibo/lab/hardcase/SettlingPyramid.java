@@ -7,16 +7,16 @@ import rigibo.lab.bench.scene.Scene;
 import java.util.List;
 
 /**
- * A pyramid built with equal vertical gaps falls together, e = 0. Truth: no box falls farther than
- * all gaps below it, so none is ever faster than √(2g·Σgaps), and nothing throws any; no energy
- * comes from nowhere; 10 s later it stands.
+ * A pyramid built with equal vertical gaps settles, e = 0. Truth: no box falls farther than the sum
+ * of the gaps below it, so none is faster than √(2g·Σgaps), and none is thrown up. No energy is
+ * gained. 10 s later the pyramid stands.
  */
 record SettlingPyramid(List<Variant> few, List<Variant> all) implements Scenes {
 
     private static final double HORIZON = 10;
     private static final double MOST_SPEED_AT_REST = 1e-3;
 
-    /** Substeps and the speed of what is pushed apart may add so much. */
+    /** Allowance for substeps and for the speed of bodies that are pushed out of overlap. */
     private static final double SLACK = 1.01;
 
     /** A pyramid, and the gaps in it, m. */

@@ -5,7 +5,7 @@ import rigibo.lab.truth.Solid;
 
 /**
  * Truth: from v0 = 10 with μ = ½ a box slides d = v0²/2μg = 10.194 m in t = v0/μg = 2.039 s, and
- * does not reverse. Where between two steps it stopped follows from its last speed: v/μg later.
+ * does not reverse. It stopped v/μg after its last moving step, whose speed is v.
  */
 final class SlideToStop implements Scenes {
 

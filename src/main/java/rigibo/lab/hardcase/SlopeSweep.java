@@ -6,8 +6,9 @@ import rigibo.lab.truth.Slope;
 import rigibo.lab.truth.Solid;
 
 /**
- * Truth: a box on a slope rests while tan(angle) ≤ μ and slides with a = g(sin − μ·cos) beyond,
- * here 0.2° to either side and 10° above. The box is flat, so that it cannot tip at μ = 1.
+ * Truth: a box on a slope rests while tan(angle) ≤ μ and slides with a = g(sin − μ·cos) beyond
+ * that. Tried are 0.2° to either side and 10° above. The box is flat, so that it cannot tip at μ =
+ * 1.
  */
 final class SlopeSweep implements Scenes {
 

@@ -6,7 +6,7 @@ import rigibo.lab.truth.Solid;
 
 /**
  * Truth: without gravity and with e = 1 a ball between walls keeps its speed for ever, however slow
- * it is; a threshold of rebound would glue it to the wall.
+ * it is. A least speed of rebound would glue it to the wall.
  */
 final class SlowBall implements Scenes {
 

@@ -7,8 +7,9 @@ import rigibo.backend.effect.Field;
 import rigibo.lab.truth.Solid;
 
 /**
- * Truth: on a spring of ω what starts at (1, 0) with (0, ω) goes round the unit circle, at the
- * angle ωt. A planet of the half axis 1 keeps v²/2 − GM/r = −GM/2, whatever its eccentricity.
+ * Truth: on a spring of ω a body that starts at (1, 0) with (0, ω) moves around the unit circle, at
+ * the angle ωt. A planet with the semi-major axis 1 keeps v²/2 − GM/r = −GM/2, whatever its
+ * eccentricity.
  */
 final class SpringAndOrbit implements Scenes {
 

@@ -8,9 +8,9 @@ import java.util.SplittableRandom;
 
 /**
  * A rolling disc meets a step, h/r < ¼, e = 0, μ = 2. Truth: the angular momentum about the step's
- * corner is kept, ω′·(3/2)·m·r² = ω·(½·m·r² + m·r·(r − h)), so ω′ = ω·(1 − 2h/3r); then the disc
- * turns about the corner, ¾·m·v² against m·g·h: it climbs when v > √(4gh/3)/(1 − 2h/3r), and goes
- * on above at √(v′² − 4gh/3).
+ * corner is kept, ω′·(3/2)·m·r² = ω·(½·m·r² + m·r·(r − h)), so ω′ = ω·(1 − 2h/3r). Then the disc
+ * turns about the corner, ¾·m·v² against m·g·h: it climbs if v > √(4gh/3)/(1 − 2h/3r), and goes on
+ * above at √(v′² − 4gh/3).
  */
 final class StepClimb implements Scenes {
 
@@ -19,10 +19,13 @@ final class StepClimb implements Scenes {
     private static final double FRICTION = 2;
     private static final double PATIENCE = 5;
 
-    /** Of the least speed that climbs: nearer to it either outcome is right. */
+    /**
+     * Distance from the least speed that climbs, as a share of it, within which either outcome is
+     * right.
+     */
     private static final Limits UNDECIDED = new Limits(0.02, 0.02, 0.005);
 
-    /** Fast enough to be no question, slow enough that the disc does not leave the corner. */
+    /** A share of the least speed that surely climbs, and at which the disc stays on the corner. */
     private static final double SURE = 1.25;
 
     @Override
@@ -74,7 +77,7 @@ final class StepClimb implements Scenes {
             trial.measure("speed above", error, "of v", Limits.of(0.02, 0.005));
         }
 
-        /** The disc when it has turned back, rolls on above the step, or time is up. */
+        /** The disc when it has turned back, rolls on above the step, or the time is up. */
         private RigidBody after(Trial trial, double speed) {
             WatchedPool pool = trial.ground(FRICTION, 0).withOverlapOfItsOwn();
             pool.add(Solid.fixed(100, 2, FRICTION, 0).at(50, height - 1));

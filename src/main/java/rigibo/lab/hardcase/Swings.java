@@ -13,26 +13,32 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * J1 to J3. A body on a hinge at d from its centre swings as a point at l = (I + m·d²)/(m·d), on a
- * rod as one at d, at the period of {@link Pendulum}, and keeps its energy.
+ * J1 to J3. A body on a hinge at d from its centre swings like a point at l = (I + m·d²)/(m·d), on
+ * a rod like one at d, with the period of {@link Pendulum}, and keeps its energy.
  */
 final class Swings {
 
     private static final List<Double> DEGREES = List.of(5.0, 90.0, 175.0);
 
-    /** Of the swing's own energy; its mean may not go away by more than a tenth of that. */
+    /**
+     * Limits of the energy's error, as a share of the swing's energy; the mean may drift by a tenth
+     * of them.
+     */
     private static final Limits ENERGY = Limits.of(1e-3, 1e-6);
 
     private static final Limits TREND = Limits.of(1e-4, 1e-7);
     private static final Limits PERIOD = Limits.of(1e-3, 1e-6);
 
-    /** Where joints are held to less, what a shorter step changes is not seen, m. */
+    /** The error of joints below which a shorter step makes no visible difference, m. */
     private static final double SOLVED = 1e-8;
 
-    /** Of a method of order two an observed order shows 2 up to terms of the next order. */
+    /** What an observed order may lack to 2, due to terms of the next order. */
     private static final double ORDER_LACKING = 0.1;
 
-    /** From a quarter of the game's on, so that errors are seen; the last is the truth. */
+    /**
+     * Steps per second, from a quarter of the game's on, so that errors are visible; the last one
+     * serves as truth.
+     */
     private static final int[] STEPS_PER_SECOND = {15, 30, 60, 16 * 60};
 
     private Swings() {}
@@ -114,7 +120,7 @@ final class Swings {
         }
     }
 
-    /** How an energy strays, and whether it goes away. */
+    /** The deviation of an energy, and its drift. */
     private static final class Trend {
 
         private static final int PARTS = 10;
@@ -142,7 +148,7 @@ final class Swings {
         void measure(Trial trial) {
             int latest = PARTS - 1;
             while (latest > 0 && counts[latest] == 0) {
-                // Its period was so much too short that it was through before.
+                // The period was so much too short that the swing had ended before.
                 latest--;
             }
             double first = sums[0] / counts[0];
@@ -208,7 +214,7 @@ final class Swings {
         trial.measure("order below 2", Math.max(0, 2 - order), "", ORDER_LACKING);
     }
 
-    /** Two bars, the lower one bent back by a third of the angle; answers the lower one. */
+    /** Two bars, the lower one bent back by a third of the angle; returns the lower one. */
     private static RigidBody hang(WatchedPool pool, double upper, double lower, double angle) {
         RigidBody hook = pool.hook(0, 0);
         double knee = angle * 2 / 3;

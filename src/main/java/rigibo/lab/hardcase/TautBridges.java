@@ -14,14 +14,15 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * J12/taut: planks hinged in a row that is as long as its span, onto which discs and boxes fall.
- * Straight, they are held up by no force of any size, and any sag makes the row longer than its
- * span: no tension has a truth, but the bridge stays straight. Where n hinges come apart by e each,
- * it is longer by n·e, and its middle leaves the line by no more than s² = ((L + n·e)/2)² − (L/2)²,
- * which is L·n·e/2 but for (n·e)²/4. What falls is a tenth to ten times as heavy as a plank.
+ * J12/taut: planks hinged in a row as long as its span, onto which discs and boxes fall. A straight
+ * row cannot carry a load by any finite force, and any sag makes it longer than its span. So
+ * tension has no truth here, but the bridge must stay straight. Where n hinges come apart by e
+ * each, the row is longer by n·e, and its middle leaves the line by at most s² = ((L + n·e)/2)² −
+ * (L/2)², which is L·n·e/2 up to (n·e)²/4. Falling bodies are a tenth to ten times as heavy as a
+ * plank.
  *
- * <p>Hinges may come apart by as much as impacts may miss their time by, a millimetre at DRAFT and
- * a tenth of it at GAME, and by 1e-9 m at EXACT: what all joints are held to.
+ * <p>Hinges may come apart by as much as impacts may miss their time, a millimetre at DRAFT and a
+ * tenth of it at GAME, and by 1e-9 m at EXACT, the limit of all joints.
  */
 final class TautBridges {
 
@@ -30,7 +31,7 @@ final class TautBridges {
     private static final double PLANK = 0.5;
     private static final double HEIGHT = 0.125;
 
-    /** From one bridge to the one above it, m. */
+    /** Height of a bridge above the one below, m. */
     private static final double ABOVE = 8;
 
     private static final double HORIZON = 3;

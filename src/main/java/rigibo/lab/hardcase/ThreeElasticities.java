@@ -8,7 +8,7 @@ import rigibo.lab.truth.Solid;
 /**
  * Boxes dropped flat from 2 m. Truth: with e = 1 the box returns to its height for ever, here forty
  * times; with e = ½ it stops after T = t1(1 + e)/(1 − e); with e = 0 it stays where it lands. The
- * limit for an apex is that of ten bounces for every ten.
+ * limit of an apex grows by that of ten bounces every ten bounces.
  */
 final class ThreeElasticities implements Scenes {
 

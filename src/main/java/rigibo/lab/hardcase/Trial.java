@@ -21,7 +21,7 @@ public final class Trial {
     /** The game's step, s. */
     static final double DT = 1.0 / 60;
 
-    /** L: the overlap tolerated at rest, m, for bodies of one metre. */
+    /** L: the overlap allowed at rest, m, for bodies of one metre. */
     static final double TOLERATED_OVERLAP = 1e-3;
 
     /** The largest overlap allowed at any time, as a share of the smaller body's width. */
@@ -78,7 +78,7 @@ public final class Trial {
         return workers;
     }
 
-    /** The variants to try of a case that has many. */
+    /** The choice among the variants of a case. */
     Sampling sampling() {
         return sampling;
     }
@@ -88,7 +88,7 @@ public final class Trial {
         return made.apply(body);
     }
 
-    /** Names the present variant, for the report of figures that fail. */
+    /** Names the present variant in reports of figures that fail. */
     void variant(String words) {
         variant = words;
     }
@@ -99,8 +99,7 @@ public final class Trial {
     }
 
     /**
-     * A pool with gravity and without sleep, since a scene that rests only because it sleeps does
-     * not rest.
+     * A pool with gravity and without sleep, since a scene that rests only asleep does not rest.
      */
     WatchedPool earth() {
         return pool(Earth.effects());

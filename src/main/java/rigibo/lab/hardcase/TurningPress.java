@@ -9,11 +9,10 @@ import java.util.Random;
 
 /**
  * Kinematic polygons that move and turn press bodies into a corner of fixed walls, in two hundred
- * seeded ways. Truth: what cannot give way overlaps and what can is squeezed out. With μ = ½ a
- * wedge narrower than 2·atan μ = 53° holds what is in it, and a wider one expels it at no more than
- * the press's own speed over sin 26.6°; with 1.7 m/s of the press's outline and 3 m/s of push-out
- * that is below 7 m/s, and 10 is the limit. Impulses that answer two contradicting walls explode
- * here.
+ * random ways. Truth: bodies that cannot give way overlap, others are squeezed out. With μ = ½ a
+ * wedge narrower than 2·atan μ = 53° holds its content, and a wider one expels it at no more than
+ * the press's own speed over sin 26.6°. With 1.7 m/s of the press's outline and 3 m/s of push-out
+ * that is below 7 m/s; the limit is 10. Impulses that answer two contradicting walls would explode.
  */
 final class TurningPress implements Scenes {
 

@@ -5,10 +5,10 @@ import rigibo.lab.truth.Solid;
 
 /**
  * A rod of 2 × 0.2 at (½, 0) and −40° turns by 80° in one step; the corner (0, ¼) of a plate is in
- * its way. Truth: in the rod's frame the corner is at height ½·sin θ + ¼·cos θ, which meets the
- * lower face at −0.1 for θ = −(atan ½ + asin(0.1/√0.3125)) = −0.6435. Smooth and elastic, the lever
- * rn = r × n gives ω′ = ω(1 − 2rn²/(I/m + rn²)), and the angle at the end tells when the rod was
- * struck.
+ * its way. Truth: in the rod's frame the corner is at the height ½·sin θ + ¼·cos θ, which meets the
+ * lower face at −0.1 for θ = −(atan ½ + asin(0.1/√0.3125)) = −0.6435. Smooth and elastic, with the
+ * lever rn = r × n, the impact gives ω′ = ω(1 − 2rn²/(I/m + rn²)); the time of the impact follows
+ * from the final angle.
  */
 final class TurningRod implements Scenes {
 

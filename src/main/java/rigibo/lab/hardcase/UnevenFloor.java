@@ -7,10 +7,10 @@ import rigibo.lab.truth.Earth;
 import rigibo.lab.truth.Solid;
 
 /**
- * A box across the gap of 1 mm between two floor boxes, level and with gravity tipped by 5° (below
+ * A box across the gap of 1 mm between two floor boxes, level and with gravity tilted by 5° (below
  * atan μ), and a box that bridges a step. Truth: both rest. The second one stands on its lower left
- * corner and on the step's edge: with its centre 0.1 m left of the edge the span is 0.6 m, and its
- * tilt is atan(step/span) but for the corner's own height, which is of second order.
+ * corner and on the step's edge. With its centre 0.1 m left of the edge the span is 0.6 m, and its
+ * tilt is atan(step/span), up to a term of second order from the corner's own height.
  */
 final class UnevenFloor implements Scenes {
 

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * Stacks of ten and twenty boxes set down a little carelessly: up to 5 mm to the side, up to 1 mm
- * above what they stand on, e = 0. Truth: every centre is far inside every support below it, so the
- * stack stands where it was set down; from the tenth second on it neither leans nor creeps.
+ * Stacks of ten and twenty boxes set down carelessly: up to 5 mm to the side, up to 1 mm above
+ * their support, e = 0. Truth: every centre is well inside every support below it, so the stack
+ * stands where it was set down; after ten seconds it neither leans nor creeps.
  */
 final class UntidyStack implements Scenes {
 

@@ -39,7 +39,7 @@ final class WatchedPool {
     /** The number of steps between two hashes of a larger pool. */
     private static final int STEPS_PER_HASH = 16;
 
-    /** Effects that add energy, or store some that is not counted here. */
+    /** Effects that add energy, or store energy that is not counted here. */
     private static final List<Class<? extends Effect>> FROM_OUTSIDE =
             List.of(
                     Thrust.class,
@@ -93,7 +93,7 @@ final class WatchedPool {
         return pool.join(definition);
     }
 
-    /** A fixed body to hang others on, which collides with nothing. */
+    /** A fixed body to hang others on; it collides with nothing. */
     RigidBody hook(double x, double y) {
         return add(BodyDefinition.fixed(new Circle(0.01)).at(x, y).filter(Filter.ALL.mask(0)));
     }

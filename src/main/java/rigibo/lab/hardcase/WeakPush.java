@@ -14,8 +14,9 @@ import rigibo.lab.truth.Solid;
 import java.util.List;
 
 /**
- * A weak push on a smooth floor. Truth: without friction nothing opposes it, so v = a·t however
- * small a is, and whatever its neighbour weighs: no body's calm is judged by another's loads.
+ * A weak push on a smooth floor. Truth: nothing opposes it without friction, so v = a·t however
+ * small a is, and however heavy its neighbour is: the loads of one body must not decide about the
+ * rest of another.
  */
 final class WeakPush implements Scenes {
 
@@ -50,7 +51,7 @@ final class WeakPush implements Scenes {
         trial.relativeError("speed", body.velocityX(), push * HORIZON, "of a·t", MOST_OFF);
     }
 
-    /** Touching a body of a million times its weight, on a raft of some height or on the floor. */
+    /** Pushes a body that touches one of a million times its weight, on a raft or on the floor. */
     private static void beside(Trial trial, double push, double raft) {
         WatchedPool pool = trial.pool(Earth.effects().with(new Thrust())).withOverlapOfItsOwn();
         pool.add(Earth.floor(0, 0));
@@ -60,7 +61,7 @@ final class WeakPush implements Scenes {
         double y = raft + 0.5;
         pool.add(BOX.at(-0.5, y).gravityScale(HEAVY));
         RigidBody body = pool.add(BOX.at(0.5, y));
-        // Times add up to a little less than the horizon: steps are counted.
+        // Steps are counted, since times add up to a little less than the horizon.
         for (long i = 0; i < Math.round(HORIZON / Trial.DT); i++) {
             body.applyForce(body.mass() * push, 0, body.x(), body.y());
             pool.step();

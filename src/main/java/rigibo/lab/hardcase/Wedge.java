@@ -44,7 +44,7 @@ final class Wedge implements Scenes {
         trial.measure("overlap at rest", pool.overlapNow(), "width", limit);
     }
 
-    /** A plank whose inner face starts at the origin and leans to one side. */
+    /** A plank whose inner face starts at the origin and leans to a side, −1 or 1. */
     private static BodyDefinition face(double a, int side) {
         double alongX = side * Angle.sin(a);
         double alongY = Angle.cos(a);

@@ -6,8 +6,8 @@ import rigibo.lab.truth.Solid;
 
 /**
  * Truth: infinitely many bounces are over at T = t1(1 + e)/(1 − e), 5.747 s for H = 2 and e = 0.8.
- * Steps show only in which of them the ball came to rest; the error counted is the distance of T
- * from that step, and 25 phases of T within a step make it an error in time.
+ * A run shows only the step in which the ball came to rest. The error is the distance of T from
+ * that step; 25 phases of T within a step make it an error in time.
  */
 final class Zeno implements Scenes {
 
@@ -15,7 +15,7 @@ final class Zeno implements Scenes {
     private static final double HEIGHT = 2;
     private static final int PHASES = 25;
 
-    /** A rebound of 0.1 mm/s, with e = 0.8, leaves 0.1 ms of bounces: no motion to speak of. */
+    /** A negligible speed, m/s: at e = 0.8 a rebound of 0.1 mm/s leaves 0.1 ms of bounces. */
     private static final double NO_SPEED = 1e-4;
 
     @Override
