@@ -12,7 +12,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 
-/** A scene that stays as it is while it is stepped, so that every step has the same to do. */
+/** A scene that stays as it is, so that every step does equal work. */
 public enum BenchmarkScene {
     /** 500 discs at rest in a trough of 10 m, without sleep. */
     HEAP {
@@ -22,7 +22,8 @@ public enum BenchmarkScene {
             pool.add(BodyDefinition.fixed(Polygon.box(1, 60)).at(-5.5, 30));
             pool.add(BodyDefinition.fixed(Polygon.box(1, 60)).at(5.5, 30));
             for (int i = 0; i < 500; i++) {
-                // Every second row half a gap aside: discs exactly above each other would stay so.
+                // Every second row is shifted by half a gap, since discs exactly above each other
+                // would stay so.
                 double x = -4.5 + i % 16 * 0.58 + i / 16 % 2 * 0.25;
                 pool.add(BodyDefinition.dynamic(new Circle(0.25)).at(x, 0.5 + i / 16 * 0.55));
             }
@@ -44,8 +45,8 @@ public enum BenchmarkScene {
         }
     },
     /**
-     * 20,000 boxes that fly apart, so slowly that a step leads none near another: their speeds in
-     * m/s are a twentieth of their distances in m from the middle.
+     * 20,000 boxes that fly apart, so slowly that no step brings two together: their speeds in m/s
+     * are a twentieth of their distances in m from the middle.
      */
     FREE {
         @Override
@@ -73,7 +74,7 @@ public enum BenchmarkScene {
                     new Friction(),
                     new ContinuousImpacts());
 
-    /** What falls has come to rest after ten seconds. */
+    /** Steps after which falling bodies are at rest: ten seconds. */
     private static final int SETTLING = 600;
 
     abstract Pool make();

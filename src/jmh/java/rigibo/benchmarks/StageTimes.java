@@ -8,8 +8,8 @@ import rigibo.backend.StepReport;
 import rigibo.backend.setup.StepStage;
 
 /**
- * Seconds spent in the stages that cost most. Beside steps per second they are told per second,
- * too: as shares of the time, whose sum is almost 1.
+ * Time in the most expensive stages. Beside steps per second it is given per second, too: as shares
+ * of the time, whose sum is almost 1.
  */
 @State(Scope.Thread)
 @AuxCounters(AuxCounters.Type.OPERATIONS)
@@ -22,7 +22,7 @@ public class StageTimes {
     public double flight;
     public double contact;
 
-    /** Adds those of a step. */
+    /** Adds the times of a step. */
     void add(StepReport report) {
         broadphase += NANO * report.nanos(StepStage.BROADPHASE);
         classify += NANO * report.nanos(StepStage.CLASSIFY);

@@ -16,7 +16,7 @@ import rigibo.backend.Pool;
 
 import java.util.concurrent.TimeUnit;
 
-/** What it takes to keep a state, to take it up again and to compare it. */
+/** The time to save a state, to restore it and to compare it. */
 @State(Scope.Benchmark)
 @Fork(2)
 @Warmup(iterations = 3, time = 2)

@@ -12,7 +12,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import rigibo.backend.Pool;
 import rigibo.backend.StepReport;
 
-/** Steps a second, and how the time is shared by the stages. */
+/** Steps a second, and the shares of the stages. */
 @State(Scope.Benchmark)
 @Fork(2)
 @Warmup(iterations = 3, time = 2)

@@ -8,15 +8,15 @@ import rigibo.lab.engine.Link;
 
 import java.util.function.IntToDoubleFunction;
 
-/** What Box2D 2.x and its translations have in common. */
+/** The common part of Box2D 2.x and its translations. */
 public final class Box2dFamily {
 
-    /** What the manual suggests: 8 for velocities and 3 for positions. */
+    /** The iterations that the manual suggests: 8 for velocities and 3 for positions. */
     public static final int VELOCITY_ITERATIONS = 8;
 
     public static final int POSITION_ITERATIONS = 3;
 
-    /** A constant that is compiled into every loop over corners, and cannot be raised. */
+    /** The largest number of corners, which is compiled into the library. */
     private static final int MOST_CORNERS = 8;
 
     private Box2dFamily() {}
@@ -35,7 +35,7 @@ public final class Box2dFamily {
     }
 
     /**
-     * Refuses more corners than Box2D has room for, of any version.
+     * Refuses more corners than any version of Box2D allows.
      *
      * @throws UnsupportedOperationException when there are more than 8 corners
      */
@@ -60,7 +60,7 @@ public final class Box2dFamily {
         return xy;
     }
 
-    /** Corners of the box between the discs that end a capsule, counter-clockwise, m. */
+    /** Corners of the box between the end discs of a capsule, counter-clockwise, m. */
     public static float[] between(Outline capsule) {
         double alongX = capsule.cornerX(1) - capsule.cornerX(0);
         double alongY = capsule.cornerY(1) - capsule.cornerY(0);
@@ -78,7 +78,7 @@ public final class Box2dFamily {
     }
 
     /**
-     * The group whose members never collide: those have negative numbers, of 16 bits.
+     * The group whose members never collide, a negative number of 16 bits.
      *
      * @throws UnsupportedOperationException when the number is none of 0 to 32767
      */
@@ -90,7 +90,7 @@ public final class Box2dFamily {
     }
 
     /**
-     * Refuses what its joints cannot have.
+     * Refuses what its joints lack.
      *
      * @throws UnsupportedOperationException naming it
      */

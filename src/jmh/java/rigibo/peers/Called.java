@@ -19,8 +19,8 @@ import rigibo.backend.setup.BodyDefinition;
 import java.util.List;
 
 /**
- * What a scene calls for, in terms of engines that always have most of it: what was not declared
- * they are given as a coefficient of 0.
+ * The effects of a scene for engines that always simulate most of them: an undeclared effect
+ * becomes a coefficient of 0.
  */
 public final class Called {
 
@@ -31,9 +31,9 @@ public final class Called {
     private final Gravity gravity;
 
     /**
-     * Looks through a scene's effects.
+     * Reads the effects of a scene.
      *
-     * @throws UnsupportedOperationException naming the one that no peer has
+     * @throws UnsupportedOperationException naming an effect that no peer has
      */
     public Called(Effects effects) {
         for (Effect effect : effects.all()) {
@@ -45,17 +45,17 @@ public final class Called {
         gravity = effects.find(Gravity.class).orElse(new Gravity(0, 0));
     }
 
-    /** m/s², to the right. */
+    /** Gravity to the right, m/s². */
     public double gravityX() {
         return gravity.x();
     }
 
-    /** m/s², up. */
+    /** Gravity upwards, m/s². */
     public double gravityY() {
         return gravity.y();
     }
 
-    /** Whether bodies meet at all; where they do not, they need no outline. */
+    /** Whether bodies collide; otherwise they need no outline. */
     public boolean hasContacts() {
         return effects.declares(Contacts.class);
     }
@@ -66,15 +66,15 @@ public final class Called {
     }
 
     /**
-     * Whether impacts are looked for within the step. Peers then do it as they come, for what moves
-     * against what does not. Their manuals want the flag of a bullet, which adds what moves, for
-     * few bodies: with all of them flagged, Box2D's stack of ten boxes falls in 2 s.
+     * Whether impacts are searched for within the step. Peers do so by default between moving and
+     * fixed bodies. Their manuals reserve the flag of a bullet, which includes moving pairs, for
+     * few bodies: with all flagged, Box2D's stack of ten boxes falls in 2 s.
      */
     public boolean hasContinuousImpacts() {
         return effects.declares(ContinuousImpacts.class);
     }
 
-    /** Whether bodies fall asleep; when they do is the engine's own affair. */
+    /** Whether bodies fall asleep; the engine decides when. */
     public boolean hasSleep() {
         return effects.declares(Sleep.class);
     }

@@ -3,8 +3,8 @@ package rigibo.peers;
 import java.util.Arrays;
 
 /**
- * What contacts did in the last step, as listeners were told it. A list that is searched only when
- * somebody asks: one more entry costs a step next to nothing, while a map would be timed with the
+ * The impulses of contacts in the last step, as listeners received them. It is a list, searched
+ * only when it is read: adding to it takes almost no time, while a map would be timed with the
  * engine.
  */
 public final class ImpulseLog {
@@ -17,17 +17,17 @@ public final class ImpulseLog {
     private int count;
     private boolean isOpen;
 
-    /** Begins: until now there was nothing to be told. */
+    /** Begins recording. */
     public void open() {
         isOpen = true;
     }
 
-    /** Forgets all: a step begins. */
+    /** Removes all impulses, before a step. */
     public void clear() {
         count = 0;
     }
 
-    /** Notes an impulse along a normal, N·s. */
+    /** Adds an impulse along a normal, N·s. */
     public void add(int a, int b, double impulse) {
         if (count == impulses.length) {
             bodyA = Arrays.copyOf(bodyA, 2 * count);
@@ -41,9 +41,9 @@ public final class ImpulseLog {
     }
 
     /**
-     * Sum of those between two bodies, N·s.
+     * The sum of the impulses between two bodies, N·s.
      *
-     * @throws IllegalStateException where nobody watched
+     * @throws IllegalStateException if recording has not begun
      */
     public double between(int a, int b) {
         if (!isOpen) {

@@ -6,31 +6,31 @@ import rigibo.lab.engine.Setting;
 import java.util.List;
 
 /**
- * How peers are run. Thresholds that hold for a whole engine, such as the 1 m/s below which none of
- * them lets anything bounce, stay as they come: that is what its users get.
+ * The settings of peers. Thresholds of a whole engine, such as the 1 m/s below which none of them
+ * lets bodies bounce, keep their defaults, as for their users.
  */
 public final class PeerSettings {
 
     private static final int FOURFOLD = 4;
 
-    /** As they come, at the step of the game. */
+    /** The default setting, at the step of the game. */
     public static final Setting DEFAULT = Setting.of("default", Line.PEERS);
 
     /**
-     * Their manuals know two ways to less error, shorter steps for motion and more iterations for
-     * contacts. Neither does the other's work, so that the finer setting takes both, fourfold.
+     * A finer setting. Their manuals reduce errors by shorter steps for motion and more iterations
+     * for contacts. Neither replaces the other, so this setting uses both, fourfold.
      */
     public static final Setting FINER =
             new Setting("finer", Line.PEERS, 0, Setting.USUAL_STEP / FOURFOLD);
 
     private PeerSettings() {}
 
-    /** Both, as they come first. */
+    /** Both settings, the default first. */
     public static List<Setting> all() {
         return List.of(DEFAULT, FINER);
     }
 
-    /** How many iterations a setting makes of those that an engine comes with. */
+    /** The iterations of a setting, for an engine's default number. */
     public static int iterations(Setting setting, int asTheyCome) {
         return setting.equals(FINER) ? FOURFOLD * asTheyCome : asTheyCome;
     }

@@ -15,12 +15,12 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Forces that no peer knows and that its users add themselves: before each step every dynamic body
- * is pushed with the force at the state it is in. The step then takes that force for constant.
+ * Forces that no peer has and that its users add themselves: before each step every dynamic body
+ * gets the force of its present state, which the step takes as constant.
  */
 public final class UserForces {
 
-    /** Says where a body is and how fast, into the point. */
+    /** Writes position and velocity of a body into a point. */
     @FunctionalInterface
     public interface State {
         void write(int body, FieldPoint point);
@@ -36,7 +36,20 @@ public final class UserForces {
     private final FieldPoint point = new FieldPoint();
     private double time;
 
-    /** Of the declared effects, those that are forces of this kind; they push bodies of a world. */
+    /** The forces of some effects on the bodies of a world that reads a body in four calls. */
+    public UserForces(Effects effects, World world) {
+        this(
+                effects,
+                world,
+                (body, point) -> {
+                    point.x = world.x(body);
+                    point.y = world.y(body);
+                    point.velocityX = world.velocityX(body);
+                    point.velocityY = world.velocityY(body);
+                });
+    }
+
+    /** The declared effects that are forces of this kind, for the bodies of a world. */
     public UserForces(Effects effects, World world, State state) {
         this.world = world;
         this.state = state;
@@ -45,7 +58,7 @@ public final class UserForces {
         air = effects.find(AirDrag.class).orElse(null);
     }
 
-    /** Has a new body pushed from now on, if it can be. */
+    /** Adds a body, if it can be pushed. */
     public void add(int number, BodyDefinition body) {
         boolean isPushed = body.type() == BodyType.DYNAMIC && (!fields.isEmpty() || air != null);
         if (isPushed) {
@@ -53,7 +66,7 @@ public final class UserForces {
         }
     }
 
-    /** Pushes every body for a step of so many seconds. */
+    /** Pushes every body for a step of a length in s. */
     public void push(double seconds) {
         for (int i = 0; i < bodies.size(); i++) {
             push(bodies.get(i));

@@ -3,18 +3,18 @@ package rigibo.peers;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
 
-/** How wide a shape is to the air that it goes through. */
+/** The width of a shape across its motion through air. */
 final class Width {
 
     private Width() {}
 
-    /** Extent in m across a direction (x, y) other than 0 of a shape at an angle. */
+    /** The extent of a shape at an angle across a direction (x, y) other than 0, m. */
     static double across(Shape shape, double angle, double x, double y) {
         Outline outline = shape.outline(0);
         double length = Math.sqrt(x * x + y * y);
         double cos = Math.cos(angle);
         double sin = Math.sin(angle);
-        // The direction, a quarter turned, in the shape's own frame.
+        // The direction, turned by a quarter, in the shape's own frame.
         double acrossX = (sin * x - cos * y) / length;
         double acrossY = (sin * y + cos * x) / length;
         double least = Double.POSITIVE_INFINITY;

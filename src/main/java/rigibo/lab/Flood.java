@@ -24,10 +24,10 @@ import java.util.SplittableRandom;
  */
 public record Flood(double width, double radius) {
 
-    /** s. */
+    /** The time step, s. */
     public static final double STEP = 1.0 / 60;
 
-    /** What the flood of the game declares while nothing rubs. */
+    /** The effects of the game's flood without friction. */
     public static final Effects FRICTIONLESS =
             Effects.of(
                     new Gravity(0, -9.81),
@@ -35,20 +35,20 @@ public record Flood(double width, double radius) {
                     new Restitution(),
                     new ContinuousImpacts());
 
-    /** From one disc to the next as they begin, in radii. */
+    /** The distance between discs at the start, in radii. */
     private static final double COLUMN = 2.6;
 
     private static final double ROW = 2.4;
     private static final double JITTER = 0.4;
 
-    /** A pool in which so many discs are about to fall. */
+    /** A pool with discs that are about to fall. */
     Pool pour(int bodies, Effects effects, double friction) {
         Pool pool = new Pool(effects, Accuracy.GAME);
         bodies(bodies, friction).forEach(pool::add);
         return pool;
     }
 
-    /** The trough, three bodies, and so many discs above it, all of a friction. */
+    /** The trough, three bodies, and a number of discs above it, all of one friction. */
     public List<BodyDefinition> bodies(int discs, double friction) {
         List<BodyDefinition> bodies = new ArrayList<>();
         Material stone = new Material(1, friction, 0);

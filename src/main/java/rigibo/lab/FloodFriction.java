@@ -9,14 +9,13 @@ import rigibo.lab.child.ThreadUse;
 import java.util.Arrays;
 
 /**
- * What the flood saves when its friction is switched off, as its demo does it: friction goes, and
- * with it rotation, which discs that do not rub have no use for. Two pools go on from the same
- * state, which has settled, and are stepped in turn, so that whatever else the machine does hits
- * both alike, and the clock is that of the thread's own processor time.
+ * The time that the flood saves without friction, as its demo switches it off: rotation goes too,
+ * since discs without friction do not need it. Two pools continue from one settled state and are
+ * stepped in turn, so that disturbances affect both. Times are processor times of the thread.
  *
- * @param rows that the contacts of a step get with friction
- * @param rowsWithout and without, both at the end
- * @param ratio time of a step without over the one beside it with friction, median
+ * @param rows of a step at the end, with friction
+ * @param rowsWithout likewise without friction
+ * @param ratio time of a step without friction over the one beside it with friction, median
  * @param lower quartile of that ratio
  * @param upper quartile
  */

@@ -5,13 +5,13 @@ import rigibo.backend.Pool;
 import java.util.Arrays;
 
 /**
- * How long a step of the flood takes while its discs fall and settle, without friction, in a trough
- * of 40 m.
+ * The time of a step of the flood while its discs fall and settle, without friction, in a trough of
+ * 40 m.
  *
  * @param bodies discs
  * @param medianMillis median time of a step, ms
  * @param p99Millis 99th percentile, ms
- * @param deepestOverlap at the end, m: a fast run that sinks is no run
+ * @param deepestOverlap at the end, m: a run that is fast because discs sink is worthless
  */
 public record FloodTiming(
         int bodies, double medianMillis, double p99Millis, double deepestOverlap) {

@@ -1,5 +1,5 @@
 /**
- * The headless laboratory: what the physics is worth and what it costs, measured. It sees the
- * engine's public face only.
+ * The headless laboratory, which measures the accuracy and the cost of the physics. It uses the
+ * public API of the engine alone.
  */
 package rigibo.lab;

@@ -18,9 +18,9 @@ final class Connections {
     private Connections() {}
 
     /**
-     * A joint as dyn4j is told it.
+     * Translates a joint.
      *
-     * @throws UnsupportedOperationException naming what it has not
+     * @throws UnsupportedOperationException naming what the engine lacks
      */
     static Joint<Body> of(Link link, Body a, Body b) {
         Vector2 at = new Vector2(link.x(), link.y());

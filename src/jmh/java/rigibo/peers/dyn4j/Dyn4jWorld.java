@@ -10,11 +10,9 @@ import org.dyn4j.geometry.MassType;
 import org.dyn4j.geometry.Vector2;
 
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.FieldPoint;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
-import rigibo.lab.child.Work;
 import rigibo.lab.engine.Link;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.World;
@@ -27,7 +25,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A world of dyn4j. It mixes materials as we do, as it comes. Its angles are within ±π: turns are
+ * A world of dyn4j. Its default mixes materials as we do. Its angles are within ±π, so turns are
  * not counted.
  */
 final class Dyn4jWorld implements World {
@@ -40,7 +38,7 @@ final class Dyn4jWorld implements World {
 
     Dyn4jWorld(Effects effects, Setting setting) {
         called = new Called(effects);
-        forces = new UserForces(effects, this, this::writeState);
+        forces = new UserForces(effects, this);
         world.setGravity(called.gravityX(), called.gravityY());
         set(world.getSettings(), setting);
     }
@@ -85,7 +83,7 @@ final class Dyn4jWorld implements World {
         return fixture;
     }
 
-    /** What is infinitely heavy and has a velocity is kinematic. */
+    /** Sets the mass; a body with infinite mass and a velocity is kinematic. */
     private void setMass(Body body, BodyDefinition stated) {
         if (stated.type() != BodyType.DYNAMIC) {
             body.setMass(MassType.INFINITE);
@@ -101,7 +99,7 @@ final class Dyn4jWorld implements World {
         body.setAngularVelocity(stated.spin());
         body.setGravityScale(stated.gravityScale());
         body.setLinearDamping(called.damping(stated));
-        // As it comes everything that turns is braked a little, which no scene declares.
+        // By default all rotation is damped a little, which no scene declares.
         body.setAngularDamping(0);
         body.setAtRestDetectionEnabled(called.hasSleep());
         body.setAtRest(!stated.awake());
@@ -126,15 +124,8 @@ final class Dyn4jWorld implements World {
 
     @Override
     public void push(int body, double forceX, double forceY) {
-        // It keeps the vector until the step is made: each force needs one of its own.
+        // dyn4j keeps the vector until the step, so each force needs its own.
         bodies.get(body).applyForce(new Vector2(forceX, forceY));
-    }
-
-    private void writeState(int number, FieldPoint point) {
-        point.x = x(number);
-        point.y = y(number);
-        point.velocityX = velocityX(number);
-        point.velocityY = velocityY(number);
     }
 
     @Override
@@ -177,7 +168,7 @@ final class Dyn4jWorld implements World {
     @Override
     public void watchImpulses() {
         log.open();
-        // Watched twice, each impulse would count twice.
+        // A second listener would count each impulse twice.
         world.removeAllContactListeners();
         world.addContactListener(new ImpulseListener(log));
     }
@@ -185,15 +176,5 @@ final class Dyn4jWorld implements World {
     @Override
     public double normalImpulse(int a, int b) {
         return log.between(a, b);
-    }
-
-    @Override
-    public Work lastStep() {
-        return Work.NONE;
-    }
-
-    @Override
-    public void close() {
-        // All of it is on the heap.
     }
 }

@@ -3,7 +3,7 @@ package rigibo.peers.dyn4j;
 import org.dyn4j.collision.Filter;
 
 /**
- * Keeps members of a group from colliding.
+ * Prevents collisions between members of a group.
  *
  * @param group 0 for none
  */

@@ -8,8 +8,8 @@ import org.dyn4j.world.listener.ContactListenerAdapter;
 import rigibo.peers.ImpulseLog;
 
 /**
- * Writes down what contact points did. The contacts that a world has after a step are those of the
- * next one: an impact would be gone from them.
+ * Records the impulses of contact points. After a step a world holds the contacts of the next one,
+ * in which an impact no longer appears.
  */
 final class ImpulseListener extends ContactListenerAdapter<Body> {
 

@@ -19,9 +19,9 @@ final class Connections {
     private Connections() {}
 
     /**
-     * A joint as Box2D is told it.
+     * Translates a joint.
      *
-     * @throws UnsupportedOperationException naming what it has not
+     * @throws UnsupportedOperationException naming what the engine lacks
      */
     static JointDef of(Link link, Body a, Body b) {
         Vector2 at = new Vector2((float) link.x(), (float) link.y());

@@ -25,7 +25,7 @@ public final class GdxBox2dEngine implements Engine {
         return PeerSettings.all();
     }
 
-    /** Loads the native libraries where that was not done before: a list of engines needs none. */
+    /** Loads the native libraries if they are not loaded; a list of engines does not need them. */
     @Override
     public World world(Effects effects, Setting setting) {
         GdxNativesLoader.load();

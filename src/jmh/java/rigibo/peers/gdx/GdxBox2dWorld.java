@@ -13,7 +13,6 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.FieldPoint;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.setup.BodyDefinition;
-import rigibo.lab.child.Work;
 import rigibo.lab.engine.Link;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.World;
@@ -26,7 +25,7 @@ import rigibo.peers.UserForces;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A world of Box2D, which has to be given back. */
+/** A world of Box2D; it must be closed. */
 final class GdxBox2dWorld implements World {
 
     private final com.badlogic.gdx.physics.box2d.World world;
@@ -37,7 +36,7 @@ final class GdxBox2dWorld implements World {
     private final int positionIterations;
     private final List<Body> bodies = new ArrayList<>();
 
-    /** Of rays: where they begin and end, and the share of the way to the nearest hit so far. */
+    /** The ends of a ray, and the share of its length to the nearest hit so far. */
     private final Vector2 from = new Vector2();
 
     private final Vector2 to = new Vector2();
@@ -91,7 +90,7 @@ final class GdxBox2dWorld implements World {
         return definition;
     }
 
-    /** Without a density: the mass is stated. Box2D copies the shape. */
+    /** Adds a shape without a density, since the mass is stated. Box2D copies the shape. */
     private void outline(Body body, BodyDefinition stated) {
         FixtureDef fixture = new FixtureDef();
         fixture.friction = (float) called.friction(stated);
@@ -198,11 +197,6 @@ final class GdxBox2dWorld implements World {
         nearest = 1;
         world.rayCast(nearestHit, from, to);
         return nearest;
-    }
-
-    @Override
-    public Work lastStep() {
-        return Work.NONE;
     }
 
     @Override

@@ -7,7 +7,7 @@ import com.badlogic.gdx.physics.box2d.Manifold;
 
 import rigibo.peers.ImpulseLog;
 
-/** Writes down what contacts did, those of continuous collision included. */
+/** Records the impulses of contacts, those of continuous collision included. */
 final class ImpulseListener implements ContactListener {
 
     private final ImpulseLog log;

@@ -15,7 +15,7 @@ import rigibo.peers.Box2dFamily;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Our shapes as Box2D's, one or several, which whoever asked for them gives back. */
+/** Our shapes as Box2D's, one or several; the caller disposes of them. */
 final class Outlines {
 
     private Outlines() {}
@@ -36,7 +36,7 @@ final class Outlines {
         return pieces;
     }
 
-    /** Box2D knows no capsule: a box and a disc at either end stand for it. */
+    /** Adds a shape; Box2D has no capsule, so a box and a disc at either end replace it. */
     private static void add(Outline outline, List<com.badlogic.gdx.physics.box2d.Shape> pieces) {
         if (outline.corners() > 2) {
             PolygonShape polygon = new PolygonShape();

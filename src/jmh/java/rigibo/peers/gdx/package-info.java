@@ -1,2 +1,2 @@
-/** Box2D 2.x itself, in C++ and floats, as libGDX lets Java use it. */
+/** Box2D 2.x itself, in C++ with floats, through libGDX. */
 package rigibo.peers.gdx;

@@ -19,9 +19,9 @@ final class Connections {
     private Connections() {}
 
     /**
-     * A joint as JBox2D is told it.
+     * Translates a joint.
      *
-     * @throws UnsupportedOperationException naming what it has not
+     * @throws UnsupportedOperationException naming what the engine lacks
      */
     static JointDef of(Link link, Body a, Body b) {
         Vec2 at = new Vec2((float) link.x(), (float) link.y());

@@ -13,7 +13,7 @@ public final class Jbox2dEngine implements Engine {
 
     @Override
     public String name() {
-        // It does not know its own version.
+        // The library does not state its version.
         return "JBox2D 2.2.1.1";
     }
 

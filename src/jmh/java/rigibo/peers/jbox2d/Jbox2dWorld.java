@@ -12,7 +12,6 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.FieldPoint;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.setup.BodyDefinition;
-import rigibo.lab.child.Work;
 import rigibo.lab.engine.Link;
 import rigibo.lab.engine.Setting;
 import rigibo.lab.engine.World;
@@ -87,7 +86,7 @@ final class Jbox2dWorld implements World {
         return definition;
     }
 
-    /** Without a density: the mass is stated. */
+    /** A fixture without a density, since the mass is stated. */
     private FixtureDef fixture(BodyDefinition stated) {
         FixtureDef fixture = new FixtureDef();
         fixture.friction = (float) called.friction(stated);
@@ -186,15 +185,5 @@ final class Jbox2dWorld implements World {
     @Override
     public double normalImpulse(int a, int b) {
         return log.between(a, b);
-    }
-
-    @Override
-    public Work lastStep() {
-        return Work.NONE;
-    }
-
-    @Override
-    public void close() {
-        // All of it is on the heap.
     }
 }

@@ -36,7 +36,7 @@ final class Outlines {
         return pieces;
     }
 
-    /** JBox2D knows no capsule: a box and a disc at either end stand for it. */
+    /** Adds a shape; JBox2D has no capsule, so a box and a disc at either end replace it. */
     private static void add(Outline outline, List<org.jbox2d.collision.shapes.Shape> pieces) {
         if (outline.corners() > 2) {
             pieces.add(polygon(Box2dFamily.corners(outline)));

@@ -10,12 +10,12 @@ import rigibo.peers.PeerSettings;
 import java.util.List;
 import java.util.Optional;
 
-/** Box2D v3: its C code as it comes, with the AVX2 instructions that it finds at build time. */
+/** Box2D v3: its C code unchanged, with AVX2 instructions if they are found at build time. */
 public final class Box2dV3Engine implements Engine {
 
     static final int NUMBER = 0;
 
-    /** Its manual knows one way to less error, more substeps. */
+    /** Its manual reduces errors by more substeps only. */
     private static final Setting EIGHT = Setting.of("8 substeps", Line.PEERS);
 
     private static final Setting SIXTEEN = Setting.of("16 substeps", Line.PEERS);

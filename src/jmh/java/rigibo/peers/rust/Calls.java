@@ -1,9 +1,9 @@
 package rigibo.peers.rust;
 
 /**
- * What the library offers, in numbers only: SI units, places and velocities of centres of mass. A
- * world is known by its address, a body by its number. Nothing is checked over there: {@link
- * RustWorld} asks for nothing that is not.
+ * The functions of the library, by numbers only: SI units, places and velocities of centres of
+ * mass. A world is identified by its address, a body by its number. The library checks nothing;
+ * {@link RustWorld} passes only valid arguments.
  */
 final class Calls {
 
@@ -13,7 +13,7 @@ final class Calls {
 
     private Calls() {}
 
-    /** Major · 10,000 + minor · 100 + patch. */
+    /** The version: major · 10,000 + minor · 100 + patch. */
     static native int version(int engine);
 
     static native long create(
@@ -27,13 +27,13 @@ final class Calls {
 
     static native void destroy(long world);
 
-    /** A corner of the shape that is told next. */
+    /** Adds a corner to the next shape. */
     static native void corner(long world, double x, double y);
 
-    /** A convex shape of the body that is added next, of the corners so far, rounded. */
+    /** Adds a convex shape, of the corners so far, rounded, to the next body. */
     static native void outline(long world, double radius);
 
-    /** A chain of the body that is added next, of the corners so far. */
+    /** Adds a chain of the corners so far to the next body. */
     static native void chain(long world, boolean isLoop);
 
     static native void add(

@@ -5,7 +5,7 @@ import java.net.URL;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** The library of Rust code, which is on the class path where it was built. */
+/** The library of Rust code, which is on the class path once it is built. */
 final class Library {
 
     private static final URL BUILT =
@@ -22,7 +22,7 @@ final class Library {
                 : Optional.empty();
     }
 
-    /** Loads what was built; {@link Calls} does so before its first call. */
+    /** Loads the library; {@link Calls} does so before its first call. */
     static void load() {
         try {
             System.load(Path.of(BUILT.toURI()).toString());

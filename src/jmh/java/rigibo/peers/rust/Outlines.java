@@ -6,15 +6,15 @@ import rigibo.backend.geometry.Shape;
 import rigibo.backend.geometry.ShapeKind;
 import rigibo.peers.Box2dFamily;
 
-/** Our shapes as the library's: every convex one is a core and a radius there, too. */
+/** Our shapes as the library's, where a convex shape is a core and a radius, too. */
 final class Outlines {
 
     private Outlines() {}
 
     /**
-     * Tells the shapes of the body that is added next.
+     * Adds the shapes of the next body.
      *
-     * @throws UnsupportedOperationException when it has corners that Box2D has no room for
+     * @throws UnsupportedOperationException if it has more corners than Box2D allows
      */
     static void tell(long world, int engine, Shape shape) {
         if (shape.kind() == ShapeKind.CHAIN) {

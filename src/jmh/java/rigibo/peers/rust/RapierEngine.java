@@ -9,7 +9,7 @@ import rigibo.peers.PeerSettings;
 import java.util.List;
 import java.util.Optional;
 
-/** Rapier, on one thread, with the features that it comes with. */
+/** Rapier, on one thread, with its default features. */
 public final class RapierEngine implements Engine {
 
     static final int NUMBER = 1;
@@ -29,7 +29,7 @@ public final class RapierEngine implements Engine {
         return PeerSettings.all();
     }
 
-    /** What its manual calls iterations of the solver are substeps. */
+    /** The iterations of the solver in its manual are substeps. */
     @Override
     public World world(Effects effects, Setting setting) {
         int substeps = PeerSettings.iterations(setting, RustWorld.USUAL_SUBSTEPS);

@@ -1,28 +1,26 @@
 package rigibo.peers.rust;
 
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.FieldPoint;
 import rigibo.backend.geometry.MassProperties;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.JointKind;
 import rigibo.backend.setup.JointSettings;
-import rigibo.lab.child.Work;
 import rigibo.lab.engine.Link;
 import rigibo.lab.engine.World;
 import rigibo.peers.Box2dFamily;
 import rigibo.peers.Called;
 import rigibo.peers.UserForces;
 
-/** A world of the library, which has to be given back. */
+/** A world of the library; it must be closed. */
 final class RustWorld implements World {
 
-    /** Of both engines, as they come. */
+    /** The default of both engines. */
     static final int USUAL_SUBSTEPS = 4;
 
     private static final int ONE_WORKER = 1;
 
-    /** Rapier has a bit for each of them. */
+    /** Rapier has a bit for each group. */
     private static final int GROUPS_OF_RAPIER = 31;
 
     private final int engine;
@@ -35,7 +33,7 @@ final class RustWorld implements World {
     RustWorld(int engine, Effects effects, int substeps) {
         this.engine = engine;
         called = new Called(effects);
-        forces = new UserForces(effects, this, this::writeState);
+        forces = new UserForces(effects, this);
         world =
                 Calls.create(
                         engine,
@@ -152,13 +150,6 @@ final class RustWorld implements World {
         Calls.push(world, body, forceX, forceY);
     }
 
-    private void writeState(int body, FieldPoint point) {
-        point.x = x(body);
-        point.y = y(body);
-        point.velocityX = velocityX(body);
-        point.velocityY = velocityY(body);
-    }
-
     @Override
     public void drive(int body, double velocityX, double velocityY, double spin) {
         Calls.drive(world, body, velocityX, velocityY, spin);
@@ -194,7 +185,9 @@ final class RustWorld implements World {
         return Calls.spin(world, body);
     }
 
-    /** They keep impulses anyway; to ask without having watched is a mistake here, too. */
+    /**
+     * The library always keeps impulses; reading without having watched is a mistake nonetheless.
+     */
     @Override
     public void watchImpulses() {
         isWatched = true;
@@ -211,11 +204,6 @@ final class RustWorld implements World {
     @Override
     public double rayCast(double fromX, double fromY, double toX, double toY) {
         return Calls.ray(world, fromX, fromY, toX, toY);
-    }
-
-    @Override
-    public Work lastStep() {
-        return Work.NONE;
     }
 
     @Override

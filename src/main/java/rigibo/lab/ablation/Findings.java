@@ -46,13 +46,13 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
      *
      * @param scene its name
      * @param words what it is
-     * @param period steps until it is put back
+     * @param period steps until its bodies are put back
      * @param takenOut how many class files were taken out
      * @param pairs stripped first, full second
      */
     record Ablation(String scene, String words, int period, int takenOut, Pairs pairs) {
 
-        /** Says whether a cost of undeclared effects is excluded, seen, or neither. */
+        /** Whether a cost of undeclared effects is excluded, visible, or neither. */
         Verdict verdict() {
             Interval ratio = pairs.ratio();
             if (ratio.coverage() < LEAST_COVERAGE) {

@@ -19,23 +19,24 @@ final class Page {
             """
             # What is not declared costs nothing
 
-            A scene declares its effects. Every effect's code sits in classes of its own, and this \
-            page shows what they cost: (a) with the classes of all undeclared effects taken out of \
-            the engine's archive, (b) with all of them there; then, in a scene that suits each \
-            effect, (c) declared and used by no body, (d) used by one, (e) by half, (f) by all; \
-            and what each scene would save without each of its effects.
+            A scene declares its effects, and the code of every effect is in classes of its own. \
+            This page shows what effects cost in time. For undeclared effects a scene runs (a) \
+            without their classes in the engine's archive and (b) with them. For declared ones a \
+            scene that suits the effect declares it, and it is used by (c) no body, (d) one, (e) \
+            half of them, (f) all. The last tables show what each scene would save without each of \
+            its effects.
 
-            Every figure is the median of runs in a Java process of their own (`%s`), made in \
-            pairs whose order changes (a b, b a) so that what drifts on the machine falls on both. \
-            A process builds the scene, runs it warm, and then times periods of %s: after each the \
-            bodies are put back where the period began, so that they never come to rest for good. \
-            Of the periods' times per step, of the processor time that the thread used, it tells the \
-            median; of their bytes the least, for all do the same, and what comes on top in some \
-            is what the compiler allocates on the thread it holds up. A comparison is the median \
-            of the ratios or differences of its pairs, %d for a and b, %d for everything else, \
-            with the interval of order statistics that holds the true median with %s %% at least, \
-            whatever the distribution (%s %% for the shorter comparisons). Work and bits are \
-            compared after two periods, the same number of steps on every machine.
+            Each run is a Java process of its own (`%s`). Runs come in pairs of alternating order \
+            (a b, b a), so that a drift of the machine affects both. A process builds the scene, \
+            warms up, and then times periods of %s. After each period the bodies are put back to \
+            its start, so that they do not come to rest for good. The time of a run is the median \
+            over its periods: the thread's processor time per step. Its bytes are those of the \
+            period that allocated least, since all do the same work and the compiler may allocate \
+            on that thread too. A comparison is the median ratio or difference of its pairs, %d \
+            for a and b, %d for all others. Its interval of order statistics holds the true median \
+            with a probability of at least %s %%, whatever the distribution (%s %% for the \
+            others). Work and bits are compared after two periods, the same number of steps on \
+            every machine.
 
             Made by `./rigibo lab --figures effects%s` on %s, %s.
 
@@ -108,10 +109,11 @@ final class Page {
         section("What a declared effect costs, by how many use it", tables.uses());
         lines.add("");
         lines.add(
-                "c to f are ns per step more than the same bodies cost where the effect is not"
-                        + " declared. Per user: (f − c) by the number of users; half/all: (e − c)"
-                        + " over (f − c), 0.5 where the cost is proportional to the users; both"
-                        + " only where c and f are told apart.");
+                "Columns c to f give the extra time per step, compared with the same bodies where"
+                        + " the effect is not declared. Per user: (f − c) divided by the number of"
+                        + " users. Half/all: (e − c)/(f − c), 0.5 if the cost is proportional to"
+                        + " the users. Both are given only where the intervals of c and f do not"
+                        + " overlap.");
     }
 
     private void addSavings() {

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 /**
  * Samples of runs that were made in pairs.
  *
- * @param first of each pair: with less in it
+ * @param first of each pair, the one with less
  * @param second of each pair
  */
 record Pairs(List<Sample> first, List<Sample> second) {

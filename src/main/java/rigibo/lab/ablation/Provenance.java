@@ -5,11 +5,11 @@ import rigibo.backend.effect.Effects;
 import java.util.Map;
 
 /**
- * Where and how the figures were measured.
+ * The origin of the figures.
  *
- * @param machine what it ran on
- * @param date when
- * @param options of the command that makes them again, each after a space
- * @param demos what each demo of the game declares, by its name, in their order
+ * @param machine that ran it
+ * @param date of the run
+ * @param options of the command, each after a space
+ * @param demos the effects of each demo of the game, by its name, in their order
  */
 public record Provenance(String machine, String date, String options, Map<String, Effects> demos) {}

@@ -11,7 +11,7 @@ import java.util.List;
  *
  * @param scenes their names
  * @param runs pairs of each scene's comparison; costs have five at most
- * @param seed of the scenes' chance
+ * @param seed of the scenes' random numbers
  * @param out directory of everything written
  */
 public record Question(List<String> scenes, int runs, long seed, Path out) {

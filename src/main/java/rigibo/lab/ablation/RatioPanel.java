@@ -14,10 +14,10 @@ final class RatioPanel {
 
     private static final double ROW = 30;
 
-    /** Narrowest axis, % to each side: the band and something around it. */
+    /** The narrowest axis, % to each side: the band and a margin. */
     private static final double LEAST_REACH = 2;
 
-    /** Widest: a run on a busy machine still shows the band. */
+    /** The widest axis, on which the band is still visible after a run on a busy machine. */
     private static final double MOST_REACH = 25;
 
     private final List<Ablation> scenes;

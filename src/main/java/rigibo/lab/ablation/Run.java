@@ -1,12 +1,12 @@
 package rigibo.lab.ablation;
 
 /**
- * One process that is to be run.
+ * One process to run.
  *
- * @param workload the words that it is told
- * @param engine what it runs against
+ * @param workload its words
+ * @param engine the engine that it runs against
  * @param round which repetition, from 1
- * @param budget for how long
+ * @param budget its time
  */
 record Run(String workload, Engine engine, int round, Budget budget) {
 
@@ -15,17 +15,17 @@ record Run(String workload, Engine engine, int round, Budget budget) {
         return String.join(" | ", workload, engine.name(), "" + round, budget.name());
     }
 
-    /** The engine as it is, or without the classes of what a scene does not declare. */
+    /** The whole engine, or one without the classes of undeclared effects. */
     enum Engine {
         FULL,
         STRIPPED
     }
 
-    /** How long a process warms up and is timed at least, ms. */
+    /** The least times of warm-up and timing, ms. */
     enum Budget {
-        /** For the ratio that has to be told to a percent. */
+        /** For the ratio that must be precise to a percent. */
         LONG(1500, 1000),
-        /** For costs that are read as such. */
+        /** For costs, which need less precision. */
         SHORT(400, 300);
 
         final int warmMillis;

@@ -14,7 +14,7 @@ final class SavingPanel {
     private static final double ROW = 24;
     private static final double HEAD = 26;
 
-    /** Without a brake a scene may well cost more than it did: so far to the left, %. */
+    /** The left end of the axis, %: without a brake a scene may cost more than before. */
     private static final double LEAST = -100;
 
     private final Findings findings;

@@ -10,7 +10,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.Predicate;
 
-/** What was found, in sentences whose numbers are those of the runs. */
+/** The main findings in sentences. */
 final class Sentences {
 
     private Sentences() {}
@@ -31,9 +31,9 @@ final class Sentences {
         long equal = count(scenes, one -> one.verdict() == Verdict.EQUAL);
         long different = count(scenes, one -> one.verdict() == Verdict.DIFFERENT);
         return String.format(
-                "Time with the classes of undeclared effects over time without them: in %d of %d"
-                        + " scenes the whole interval is within %.0f %% of 1; in %d it is not and"
-                        + " does not hold 1.",
+                "The time with the classes of undeclared effects, divided by that without them: in"
+                        + " %d of %d scenes its whole interval is within %.0f %% of 1; in %d its"
+                        + " interval excludes 1.",
                 equal, scenes.size(), 100 * Findings.TOLERANCE, different);
     }
 

@@ -17,7 +17,7 @@ final class UsePanel {
     private static final double WIDTH = 230;
     private static final double HEIGHT = 170;
 
-    /** Of the plot within its cell. */
+    /** The size of the plot within its cell. */
     private static final double PLOT_WIDTH = 190;
 
     private static final double PLOT_TOP = 46;

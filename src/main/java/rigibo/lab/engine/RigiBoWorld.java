@@ -105,9 +105,4 @@ final class RigiBoWorld implements World {
     public Work lastStep() {
         return Work.of(pool.report());
     }
-
-    @Override
-    public void close() {
-        // Nothing needs closing: all of it is on the heap.
-    }
 }

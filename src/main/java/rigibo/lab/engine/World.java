@@ -78,9 +78,11 @@ public interface World extends AutoCloseable {
     }
 
     /** The work of the last step; {@link Work#NONE} if the engine does not report it. */
-    Work lastStep();
+    default Work lastStep() {
+        return Work.NONE;
+    }
 
     /** Frees what the world holds outside the heap. */
     @Override
-    void close();
+    default void close() {}
 }

@@ -28,26 +28,24 @@ final class OrderWords {
                     "the order observed is "
                             + order
                             + promised
-                            + ": its leading term cancels here, over a whole turn or a symmetric"
-                            + " way";
+                            + ": its leading term cancels over a whole turn or a symmetric path";
             case LOWER ->
                     "the order observed is "
                             + order
                             + promised
-                            + ": what else errs, the solver or what the tolerance leaves, is not"
-                            + " of that order";
+                            + ": the errors of the solver or the tolerance have another order";
             case SOME -> "the order observed is " + order;
             case FLAT ->
-                    "the error hardly answers to the step: what is left comes from the tolerance or"
-                            + " the solver, which stay as they are";
+                    "the error hardly depends on the step: it comes from the tolerance or the"
+                            + " solver, which stay the same";
             case RISING ->
-                    "the error grows as the step shrinks: more steps add up what each rounds or"
-                            + " leaves unsolved";
+                    "the error grows as the step shrinks: more steps add up more rounding and more"
+                            + " of what each leaves unsolved";
             case IRREGULAR ->
-                    "errors fall and rise by turns: they depend on where in a step an event happens"
-                            + " to fall";
-            case EXACT -> "nothing is left but rounding, whatever the step";
-            case NOT_KNOWN -> "too few errors are above rounding to tell an order";
+                    "errors alternately fall and rise: they depend on where in a step an event"
+                            + " falls";
+            case EXACT -> "only rounding is left at every step";
+            case NOT_KNOWN -> "too few errors exceed rounding to give an order";
         };
     }
 }

@@ -20,9 +20,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * R17 to R19: few joined bodies, whose way is known in closed form. A bar on a hinge swings at the
- * period of {@link Pendulum}; links that carry a load neither stretch nor gain energy; a mass hangs
- * on a spring at mg/k and swings about it as a cosine in its envelope.
+ * R17 to R19: few joined bodies whose motion is known in closed form. A bar on a hinge swings at
+ * the period of {@link Pendulum}; links that carry a load neither stretch nor gain energy; a mass
+ * hangs on a spring at mg/k and oscillates about it as a damped cosine.
  */
 final class Assembled {
 
@@ -34,7 +34,10 @@ final class Assembled {
     /** A fixed body that collides with nothing. */
     private static final BodyDefinition HOOK = BodyDefinition.fixed(new Circle(0.01)).group(1);
 
-    /** Hz of springs that swing freely, seen step by step; and of stiff ones, seen at rest. */
+    /**
+     * Frequencies of springs that oscillate freely and are examined step by step, and of stiff ones
+     * that are examined at rest, Hz.
+     */
     private static final double[] SOFT = {2, 10, 15};
 
     private static final double[] STIFF = {200, 2000};
@@ -44,7 +47,7 @@ final class Assembled {
 
     private Assembled() {}
 
-    /** The limits of row J1 for EXACT: 1e-6 of a period, in 100 of them. */
+    /** The error promised at EXACT, row J1: 1e-6 of a period, in 100 of them. */
     static Problem pendulum() {
         return new Problem(
                 "R17",
@@ -55,7 +58,7 @@ final class Assembled {
                 Assembled::swing);
     }
 
-    /** The limit of row J5 for EXACT. */
+    /** The error promised at EXACT is that of row J5. */
     static Problem chain() {
         return new Problem(
                 "R18",
@@ -66,7 +69,7 @@ final class Assembled {
                 Assembled::carry);
     }
 
-    /** The limit of row J8 for EXACT. */
+    /** The error promised at EXACT is that of row J8. */
     static Problem springs() {
         return new Problem(
                 "R19",
@@ -117,7 +120,7 @@ final class Assembled {
             if (bench.isCounting() && crossings < 2 * swings) {
                 return Errors.failed("it swung " + crossings / 2 + " times");
             }
-            // It passes the lowest point a quarter period after the start, and each half later.
+            // It passes the lowest point a quarter period after the start, then every half period.
             double truth = (crossings - 0.5) * period / 2;
             return Errors.of(Math.abs(last - truth) / period * 2 * Math.PI)
                     .with("largest change of energy, of its own", gain / Earth.GRAVITY)
@@ -125,7 +128,7 @@ final class Assembled {
         };
     }
 
-    /** Angle of the way from the hinge to the body, from straight down, rad. */
+    /** Angle of the line from the hinge to the body, measured from straight down, rad. */
     private static double lag(World world) {
         return Math.atan2(world.x(1), -world.y(1));
     }
@@ -179,7 +182,7 @@ final class Assembled {
         };
     }
 
-    /** Of motion, and of height over the hook, which is the first body, J. */
+    /** Kinetic energy, and potential energy above the hook, which is the first body, J. */
     private static double energy(World world, List<BodyDefinition> bodies) {
         double sum = 0;
         for (int i = 1; i < bodies.size(); i++) {
@@ -224,7 +227,7 @@ final class Assembled {
         };
     }
 
-    /** By how much of its phase it is off, at the worst, in 2 s. */
+    /** The largest error of its phase in 2 s, as a share of it. */
     private static double swing(Bench bench, World world, double hertz) {
         double omega = 2 * Math.PI * hertz;
         double amplitude = AWAY / (2 * Math.PI);
@@ -239,7 +242,7 @@ final class Assembled {
         return worst;
     }
 
-    /** By how much of mg/k it hangs too high or too low after 5 s: g/ω², whatever the mass. */
+    /** The error of its height after 5 s, as a share of mg/k = g/ω², whatever the mass. */
     private static double hang(Bench bench, World world, double hertz) {
         double omega = 2 * Math.PI * hertz;
         int steps = bench.stepsIn(5);

@@ -9,8 +9,8 @@ import rigibo.lab.truth.Solid;
 import java.util.List;
 
 /**
- * A stone is thrown and nothing but gravity acts: x = x₀ + v·t + g·t²/2. After T = 5 s the error is
- * how far from there it is, as a share of the length of its way. That is ∫√(vₓ² + (v_y + g·t)²)dt =
+ * A stone is thrown under gravity alone: x = x₀ + v·t + g·t²/2. The error is its distance from that
+ * point after T = 5 s, as a share of the length of its path, which is ∫√(vₓ² + (v_y + g·t)²)dt =
  * |g|·[(s·√(1 + s²) + asinh s)/2 · vₓ²/g²], s = (v_y + g·t)/vₓ.
  */
 final class BallisticFlight {
@@ -18,7 +18,7 @@ final class BallisticFlight {
     private static final double GRAVITY = -9.81;
     private static final double SECONDS = 5;
 
-    /** The phases: m/s to the right and up. */
+    /** The phases: velocities to the right and up, m/s. */
     private static final double[][] THROWS = {{7, 9}, {3, 24.5}, {20, 0}, {11, -6}};
 
     private BallisticFlight() {}

@@ -31,7 +31,7 @@ public final class Bench implements AutoCloseable {
         return new Bench(engine, setting, true);
     }
 
-    /** A bench that only makes steps, so that they can be timed. */
+    /** A bench that makes steps for timing and counts nothing. */
     public static Bench timed(Engine engine, Setting setting) {
         return new Bench(engine, setting, false);
     }

@@ -10,9 +10,9 @@ import java.util.List;
 
 /**
  * A disc is reflected by the walls of a room a thousand times. Truth: {@link Room}. The phases are
- * rooms of their own with discs of other directions; none is as fast as 120 m/s, where some engines
- * no longer follow. As long as a disc is not overtaken by the error it is late or early by so much
- * on its way, and the last second shows it, wherever in the room it is.
+ * different rooms with discs in other directions; none reaches 120 m/s, where some engines no
+ * longer follow. An error of the disc is a lead or lag along its path, and the places in the last
+ * second give it.
  */
 final class Billiards {
 

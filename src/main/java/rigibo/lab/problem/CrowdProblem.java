@@ -14,17 +14,17 @@ import java.util.stream.LongStream;
 import java.util.stream.Stream;
 
 /**
- * Hundreds of boxes that rain into a trough, a pyramid that falls together, a pyramid that is
- * struck, ragdolls on stairs. Where the boxes are in the end nobody can say, but they are rigid: no
- * two ever overlap, and all energy is that of the start and of the strikes. The phases differ a
- * little, and since every run is chaotic, the median over them counts.
+ * Hundreds of boxes that rain into a trough, a pyramid that settles, a pyramid that is struck,
+ * ragdolls on stairs. Final places have no known truth, but bodies are rigid: no two ever overlap,
+ * and all energy comes from the start and the strikes. The phases differ a little, and since every
+ * run is chaotic, their median counts.
  */
 final class CrowdProblem {
 
     /** The first box of a pyramid's base, after the floor. */
     private static final int FOOT = 1;
 
-    /** Row M1: up to 400 bodies, and above. */
+    /** The limit of row M1 for up to 400 bodies, and for more. */
     private static final double OVERLAP_OF_400 = 0.05;
 
     private static final double OVERLAP_OF_MORE = 0.10;
@@ -32,7 +32,7 @@ final class CrowdProblem {
     /**
      * A run.
      *
-     * @param scene as it begins
+     * @param scene at the start
      * @param strike at the foot each second, N·s; 0 for none
      */
     private record Phase(Scene scene, double strike) {
@@ -42,7 +42,7 @@ final class CrowdProblem {
         }
     }
 
-    /** Row J15. */
+    /** The limit of row J15, m. */
     private static final double JOINT_ERROR = 1e-3;
 
     private static final String OVERLAP = "deepest overlap / width";
@@ -58,12 +58,12 @@ final class CrowdProblem {
         this.phases = phases.toList();
     }
 
-    /** Few knobs or none: turning every one takes hours. */
+    /** Few knobs or none, since sweeping all of them takes hours. */
     private Problem problem(String id, String title, double equalBelow, Line... lines) {
         return new Problem(id, title, error, equalBelow, List.of(lines), this::set).ofMinutes();
     }
 
-    /** The phases are rains of other seeds. What passes and substeps buy is seen here. */
+    /** The phases are rains of other seeds. It shows the gain by passes and substeps. */
     static Problem rain(int boxes) {
         Stream<Phase> rains =
                 LongStream.of(14, 15, 16)
@@ -83,7 +83,7 @@ final class CrowdProblem {
         return new CrowdProblem(10, OVERLAP, gaps).problem("R15", title, OVERLAP_OF_MORE);
     }
 
-    /** The phases are speeds in m/s that a strike would give a box which nothing holds. */
+    /** The phases are speeds in m/s that a strike would give a free box. */
     static Problem struck(int storeys) {
         Scene scene = Commotions.struck(storeys);
         double mass = scene.bodies().get(FOOT).massProperties().mass();

@@ -10,15 +10,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The game's demos in their first moments. Nobody knows their truth in closed form; the reference
- * is our own EXACT at a sixteenth of the game's step. It stands for the truth as far as EXACT comes
- * ever nearer to it with every halving of the step, and as long as chaos has not set in: a start
- * that is 1e-9 m beside it stays within 1e-6 m of it. Both are tests. The error is the root of the
- * mean square of all distances from the reference, thirty times a second, in the mean over the four
- * scenes.
+ * The game's demos in their first moments. Their truth has no closed form; the reference is our own
+ * EXACT at a sixteenth of the game's step. It stands for the truth as long as EXACT approaches it
+ * with every halving of the step, and chaos has not set in: a start 1e-9 m beside it stays within
+ * 1e-6 m of it. Tests hold both. The error is the root mean square of all distances from the
+ * reference, thirty times a second, averaged over the four scenes.
  *
- * <p>It is our own yardstick: another engine's contacts may be soft on purpose, and what it does at
- * an impact with friction is another law, so that a distance from ours would not be an error.
+ * <p>Only our engine is measured by it: another engine may have soft contacts by design and another
+ * law of impacts with friction, so that a distance from ours would not be an error.
  */
 final class Demos {
 
@@ -43,7 +42,7 @@ final class Demos {
         }
     }
 
-    /** Row 11: the place of an impact. */
+    /** The error promised at EXACT, row 11: the place of an impact. */
     private static final double EQUAL_BELOW = 1e-6;
 
     private Demos() {}
@@ -93,7 +92,7 @@ final class Demos {
         }
     }
 
-    /** Root of the mean square over looks and bodies, m. */
+    /** Root mean square over samples and bodies, m. */
     static double distance(double[][] some, double[][] others) {
         double squares = 0;
         for (int look = 0; look < some.length; look++) {
@@ -105,7 +104,7 @@ final class Demos {
         return Math.sqrt(squares / (some.length * some[0].length / 2.0));
     }
 
-    /** The largest distance along x or y, m; NaN where there is one. */
+    /** The largest distance along x or y, m; NaN if one of them is NaN. */
     static double farthest(double[][] some, double[][] others) {
         double most = 0;
         for (int look = 0; look < some.length; look++) {

@@ -14,10 +14,10 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * 36 smooth discs fall into a trough and come to rest. Where they lie in the end nobody can say;
- * but they are rigid, so no two of them overlap, and none a wall. The error is how deep a disc is
- * in its neighbours or walls at its deepest, in the mean over discs and over the last half second.
- * The phases are heaps from other seeds.
+ * 36 smooth discs fall into a trough and come to rest. Final places have no known truth, but discs
+ * are rigid, so none overlaps another or a wall. The error is the deepest overlap of a disc with a
+ * neighbour or wall, averaged over discs and the last half second. The phases are heaps from other
+ * seeds.
  */
 final class DiscHeap {
 
@@ -27,7 +27,7 @@ final class DiscHeap {
     private static final double SECONDS = 6;
     private static final double WATCHED = 0.5;
 
-    /** Room beside the discs of a row, m, so that rows sink into each other. */
+    /** Gaps between the discs of a row, m, so that rows sink into each other. */
     private static final double PLAY = 0.4;
 
     private static final double WIDTH = SIDE * 2 * RADIUS + PLAY;
@@ -36,7 +36,7 @@ final class DiscHeap {
     private static final long[] SEEDS = {36, 37};
     private static final Material SMOOTH = new Material(1, 0, 0);
 
-    /** In every case: 2 L at rest, for a disc of 1 m. */
+    /** The error promised at EXACT: 2 L at rest in every case, for a disc of 1 m. */
     private static final double EQUAL_BELOW = 2e-3 / RADIUS;
 
     private DiscHeap() {}
@@ -107,7 +107,7 @@ final class DiscHeap {
                 .with("fastest disc at the end, m/s", fastest);
     }
 
-    /** How deep a disc is in the neighbour or wall that it is deepest in, m; 0 in none. */
+    /** The deepest overlap of a disc with a neighbour or wall, m; 0 if there is none. */
     static double depth(World world, int disc) {
         double x = world.x(disc);
         double y = world.y(disc);

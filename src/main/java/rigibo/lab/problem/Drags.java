@@ -22,8 +22,7 @@ import java.util.List;
  * (v₀/v_t) − gt/v_t) up to the top at T = v_t/g·atan(v₀/v_t), and v = −v_t·tanh(g(t − T)/v_t) after
  * it.
  *
- * <p>The error is the largest on the way: in the end every stone falls at its terminal speed,
- * whatever happened before.
+ * <p>The error is the largest on the way, since in the end every stone falls at its terminal speed.
  */
 final class Drags {
 
@@ -32,13 +31,15 @@ final class Drags {
     private static final double DENSITY = 1.2;
     private static final double COEFFICIENT = 1.1;
 
-    /** The phases of the linear drag: 1/s, m/s to the right and up. */
+    /** The phases of the linear drag: c in 1/s, velocity to the right and up in m/s. */
     private static final double[][] LINEAR = {{0.5, 8, 0}, {0.5, 9, 14}, {3, 8, 6}, {30, 8, 3}};
 
     /** The phases of the quadratic drag: terminal and first speed, m/s. */
     private static final double[][] QUADRATIC = {{20, 15}, {20, 33}, {12, 25}, {33, 12}};
 
-    /** Row 3, quadratic drag; linear drag alone is promised to 1e-9. */
+    /**
+     * The error promised at EXACT, row 3, quadratic drag; linear drag alone is promised to 1e-9.
+     */
     private static final double EQUAL_BELOW = 1e-6;
 
     private Drags() {}
@@ -107,7 +108,7 @@ final class Drags {
         return Math.hypot(world.velocityX(body), world.velocityY(body) - vy) / thrown[1];
     }
 
-    /** Upwards, m/s, of what was thrown up so long ago. */
+    /** Upward velocity at a time after a throw straight up, m/s. */
     static double quadratic(double terminal, double thrown, double time) {
         double turned = Math.atan(thrown / terminal) - Earth.GRAVITY * time / terminal;
         return terminal * (turned > 0 ? Math.tan(turned) : Math.tanh(turned));

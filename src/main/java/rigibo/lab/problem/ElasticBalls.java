@@ -12,12 +12,12 @@ import rigibo.lab.truth.Solid;
 import java.util.List;
 
 /**
- * 49 elastic balls are dropped by 5 m, side by side, and bounce for 20 s. Nothing takes their
- * energy Σm(v²/2 + g·(y − r)), and it stays E₀ = Σm·g·h; the error is √mean(E − E₀)²/E₀ over all
- * steps, as in the bouncing test of SimBenchmark (leggedrobotics.github.io/SimBenchmark, 2018),
- * where engines of robotics err by 6e-6 to 1e-2 at steps of 1 ms. The balls differ by up to 17 cm
- * in height, so that their first impacts are spread over one step of the game: an error depends on
- * where in the step the impact falls.
+ * 49 elastic balls are dropped by 5 m, side by side, and bounce for 20 s. Truth: their energy
+ * Σm(v²/2 + g·(y − r)) stays E₀ = Σm·g·h. The error is √mean(E − E₀)²/E₀ over all steps, as in the
+ * bouncing test of SimBenchmark (leggedrobotics.github.io/SimBenchmark, 2018), where engines for
+ * robotics err by 6e-6 to 1e-2 at steps of 1 ms. The balls start at heights up to 17 cm apart, so
+ * that their first impacts are spread over one step of the game, since errors depend on where in
+ * the step the impact falls.
  */
 final class ElasticBalls {
 
@@ -28,7 +28,10 @@ final class ElasticBalls {
     private static final double MASS = 10;
     private static final double DISTANCE = 0.5;
 
-    /** Row 10: the apex of a ball with e = 1, which is its energy, after ten bounces. */
+    /**
+     * The error promised at EXACT, row 10: the apex of a ball with e = 1, which is its energy,
+     * after ten bounces.
+     */
     private static final double EQUAL_BELOW = 1e-6;
 
     private ElasticBalls() {}

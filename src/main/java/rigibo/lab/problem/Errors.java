@@ -6,9 +6,9 @@ import java.util.Map;
 /**
  * The errors of a run.
  *
- * @param main what the problem is known by, averaged over its phases; NaN where the run failed
+ * @param main the error of the problem, averaged over its phases; NaN if the run failed
  * @param others further errors, each named with its unit, in the order they are told
- * @param failure what made it no run at all, as "ball 3 went through the floor"; empty if nothing
+ * @param failure why the run failed, such as "ball 3 went through the floor"; empty if it did not
  */
 public record Errors(double main, Map<String, Double> others, String failure) {
 

@@ -11,8 +11,8 @@ import java.util.List;
 
 /**
  * A box of 1 m carries another of up to 10⁴ times its mass. Both are rigid and stand, so after 2 s
- * neither overlaps the other or the floor; L = 1 mm is what is tolerated. The phases are the ratios
- * of mass. A light box that is pushed out or gone through is a failure.
+ * neither overlaps the other or the floor; L = 1 mm is tolerated. The phases are the ratios of
+ * mass. The run fails if the light box is pushed out or passed through.
  */
 final class HeavyOnLight {
 
@@ -20,7 +20,8 @@ final class HeavyOnLight {
     private static final double TOLERATED = 1e-3;
 
     /**
-     * Between the boxes and the floor at the start, m: some engines give polygons a skin of 1 cm.
+     * The gap between the boxes and the floor at the start, m: some engines give polygons a skin of
+     * 1 cm.
      */
     private static final double GAP = 0.02;
 
@@ -29,7 +30,7 @@ final class HeavyOnLight {
     private static final int LIGHT = 1;
     private static final int HEAVY = 2;
 
-    /** Row 55. */
+    /** The error promised at EXACT, row 55. */
     private static final double EQUAL_BELOW = 2;
 
     private HeavyOnLight() {}

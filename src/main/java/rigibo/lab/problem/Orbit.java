@@ -9,24 +9,24 @@ import rigibo.lab.truth.Solid;
 import java.util.List;
 
 /**
- * Planets on orbits of the eccentricity ε = ½ round a sun. With s = G·M and the half axis a the
- * energy per mass stays v²/2 − s/r = −s/2a (vis viva), so that one starts at its nearest, r = a(1 −
- * ε), with v² = s(2/r − 1/a). The Laplace–Runge–Lenz vector (v_y·L/s − x/r, −v_x·L/s − y/r), L = x·
- * v_y − y·v_x, stays too and points to the nearest place: here to the right. Half axes differ, lest
- * steps always fall on the same places of an orbit.
+ * Planets on orbits of the eccentricity ε = ½ around a sun. With s = G·M and the semi-major axis a
+ * the energy per mass stays v²/2 − s/r = −s/2a (vis viva), so a planet starts at its periapsis, r =
+ * a(1 − ε), with v² = s(2/r − 1/a). The Laplace–Runge–Lenz vector (v_y·L/s − x/r, −v_x·L/s − y/r),
+ * L = x· v_y − y·v_x, stays too and points to the periapsis, here to the right. The axes differ, so
+ * that steps fall on different places of the orbits.
  */
 final class Orbit {
 
     private static final double SECONDS = 100;
     private static final double ECCENTRICITY = 0.5;
 
-    /** s, m³/s²: a planet with the half axis 1 m goes round once a second. */
+    /** s, m³/s²: a planet with the semi-major axis 1 m has a period of a second. */
     private static final double STRENGTH = 4 * Math.PI * Math.PI;
 
-    /** The phases: half axes, m. */
+    /** The phases: semi-major axes, m. */
     private static final double[] HALF_AXES = {0.87, 0.94, 1.03, 1.12, 1.19};
 
-    /** The case origin/fields: an orbit for a hundred turns. */
+    /** The error promised at EXACT, row origin/fields: an orbit for a hundred turns. */
     private static final double EQUAL_BELOW = 1e-7;
 
     private Orbit() {}
@@ -73,7 +73,7 @@ final class Orbit {
         return v * v / 2 - STRENGTH / Math.hypot(world.x(planet), world.y(planet));
     }
 
-    /** The angle from where the nearest place was to where it is, rad. */
+    /** The angle from the first periapsis to the present one, rad. */
     private static double apsis(World world, int planet) {
         double x = world.x(planet);
         double y = world.y(planet);

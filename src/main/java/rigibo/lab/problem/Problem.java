@@ -5,17 +5,15 @@ import rigibo.lab.engine.Line;
 import java.util.List;
 
 /**
- * A scene whose truth is known, and how far from it a run ends.
+ * A scene whose truth is known, and the error of a run.
  *
  * @param id R1 to R20
  * @param title what happens, in a few words
- * @param error what its error is, with its unit, as an axis is labelled
- * @param equalBelow the error below which there is nothing to choose: what {@code EXACT} promises;
- *     two that are less count as equal
- * @param lines what can be turned that it answers to; the presets and other engines are always
- *     asked
- * @param isLong whether a run takes minutes, so that it is timed but once
- * @param isForAll whether other engines can be asked, too
+ * @param error name and unit of its error, as the label of an axis
+ * @param equalBelow the error that {@code EXACT} promises; smaller errors count as equal
+ * @param lines the knobs that change its error; the presets and other engines are always run
+ * @param isLong whether a run takes minutes, so that it is timed only once
+ * @param isForAll whether other engines can run it
  * @param setup makes the worlds
  */
 public record Problem(
@@ -52,7 +50,7 @@ public record Problem(
         return new Problem(id, title, error, equalBelow, lines, true, isForAll, setup);
     }
 
-    /** A copy that only our engine is asked. */
+    /** A copy that only our engine runs. */
     Problem ofOursAlone() {
         return new Problem(id, title, error, equalBelow, lines, isLong, false, setup);
     }

@@ -3,7 +3,7 @@ package rigibo.lab.problem;
 import java.util.List;
 import java.util.NoSuchElementException;
 
-/** All of them, in the order of their numbers. */
+/** All reference problems, in the order of their numbers. */
 public final class Problems {
 
     private static final List<Problem> ALL =

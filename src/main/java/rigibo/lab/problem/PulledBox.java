@@ -11,15 +11,16 @@ import rigibo.lab.truth.Solid;
 import java.util.List;
 
 /**
- * A box of M = 10 kg is pulled with F = 150 N over rough ground and n = 25 discs of m = 1 kg roll
- * on it, as balls do in the rolling test of SimBenchmark (leggedrobotics.github.io/SimBenchmark,
+ * A box of M = 10 kg is pulled with F = 150 N over rough ground, and n = 25 discs of m = 1 kg roll
+ * on it, like the balls in the rolling test of SimBenchmark (leggedrobotics.github.io/SimBenchmark,
  * 2018).
  *
- * <p>The ground brakes the box by f₁ = μ₁·(M + nm)·g, each disc by the friction f₂ that pulls the
- * disc along. A disc's centre gains f₂/m, its lowest point, with I = mr²/2, f₂/m + f₂·r²/I = 3f₂/m;
- * without slip that is the box's (F − f₁ − n·f₂)/M. So f₂ = ((F − f₁)/M)/(3/m + n/M), a_box = (F −
- * f₁ − n·f₂)/M and a_disc = f₂/m, and nothing slips as f₂ = 0.23 N is less than μ₂·m·g. From rest
- * all velocities are a·t; the error is the mean of their squared errors, over steps and bodies.
+ * <p>The ground brakes the box by f₁ = μ₁·(M + nm)·g, each disc by the friction f₂ that drives the
+ * disc. A disc's centre accelerates by f₂/m and its lowest point, with I = mr²/2, by f₂/m + f₂·r²/I
+ * = 3f₂/m; without slip that equals the box's (F − f₁ − n·f₂)/M. So f₂ = ((F − f₁)/M)/(3/m + n/M),
+ * a_box = (F − f₁ − n·f₂)/M and a_disc = f₂/m, and nothing slips, as f₂ = 0.23 N is less than
+ * μ₂·m·g. From rest all velocities are a·t; the error is the mean of their squared errors, over
+ * steps and bodies.
  */
 final class PulledBox {
 
@@ -36,20 +37,24 @@ final class PulledBox {
     private static final double RADIUS = 0.2;
     private static final double DISTANCE = 0.5;
 
-    /** How far right of the box's middle that of the discs is, m: they fall back by 3.7 m. */
+    /**
+     * Distance of the middle of the discs to the right of the box's, m: they fall back by 3.7 m.
+     */
     private static final double AHEAD = 1.8;
 
     private static final double GROUND_BRAKE =
             GROUND_FRICTION * (BOX + DISCS * DISC) * Earth.GRAVITY;
     private static final double DISC_BRAKE = (PULL - GROUND_BRAKE) / BOX / (3 / DISC + DISCS / BOX);
 
-    /** m/s² to the right. */
+    /** Acceleration of the box to the right, m/s². */
     static final double BOX_GAINS = (PULL - GROUND_BRAKE - DISCS * DISC_BRAKE) / BOX;
 
-    /** m/s² to the right. */
+    /** Acceleration of a disc to the right, m/s². */
     static final double DISC_GAINS = DISC_BRAKE / DISC;
 
-    /** Row 34: a rolling disc's velocity to 1e-5 of it, here of the box's at the end. */
+    /**
+     * The error promised at EXACT, row 34: a disc's velocity to 1e-5, here of the box's at the end.
+     */
     private static final double EQUAL_BELOW = Math.pow(1e-5 * BOX_GAINS * SECONDS, 2);
 
     private PulledBox() {}
@@ -64,7 +69,7 @@ final class PulledBox {
                 PulledBox::set);
     }
 
-    /** The box has the discs' friction, so that √(μ·μ) is theirs; the ground makes up for it. */
+    /** Makes a box with the discs' friction, so that √(μ·μ) is theirs; the ground compensates. */
     private static Trial set(Bench bench) {
         World world = bench.world(Earth.effects().without(Restitution.class).with(new Thrust()));
         Material rough = new Material(1, DISC_FRICTION, 0);

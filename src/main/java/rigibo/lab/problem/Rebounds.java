@@ -14,9 +14,9 @@ import java.util.List;
 /**
  * Balls with e = 0.8 fall by 2 m and bounce. Truth: {@link Bounces}, apexes of e²ⁿ·H.
  *
- * <p>Seen at steps alone an apex would be too low by up to g·dt²/8. It is taken from the first step
- * that sinks again, y + v²/2g, where v is next to nothing: what an engine does at the impact cannot
- * be mistaken for it. The impact before that apex came as long before it as a rise to it takes.
+ * <p>The highest step would be lower than the apex by up to g·dt²/8. So the apex is y + v²/2g at
+ * the first step downwards, where v is small; an engine's behaviour at the impact does not affect
+ * it. The impact before an apex precedes it by the time of a rise to that height.
  */
 final class Rebounds {
 
@@ -25,13 +25,13 @@ final class Rebounds {
     private static final double RADIUS = 0.25;
     private static final int APEXES = 5;
 
-    /** s longer than five bounces take: one that comes late comes, nonetheless. */
+    /** The time added to that of five bounces, s, so that late ones count. */
     private static final double PATIENCE = 1;
 
-    /** Of the first impact within a step of the game. */
+    /** Phases of the first impact within a step of the game. */
     private static final int PHASES = 25;
 
-    /** Row 10. */
+    /** The error promised at EXACT, row 10. */
     private static final double EQUAL_BELOW = 1e-6;
 
     private Rebounds() {}
@@ -102,7 +102,10 @@ final class Rebounds {
             this.truth = truth;
         }
 
-        /** A step's end: m above the height at which the ball touches, m/s up. */
+        /**
+         * Reads the end of a step: the height above that at which the ball touches, m, and the
+         * upward velocity, m/s.
+         */
         void see(double time, double above, double velocityY) {
             if (isRising && velocityY <= 0 && seen < APEXES) {
                 seen++;

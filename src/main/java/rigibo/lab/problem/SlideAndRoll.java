@@ -11,17 +11,17 @@ import rigibo.lab.truth.Solid;
 import java.util.List;
 
 /**
- * Three ways that friction decides.
+ * Three motions that friction determines.
  *
  * <p>A box slides down a slope that is 10° steeper than μ holds: d = a·t²/2, a = g·(sin b − μ·cos
  * b).
  *
- * <p>A box slides to a stop on level ground: d = v²/2μg. Its stop falls within a step, so there are
- * phases of it; likewise for the next.
+ * <p>A box slides to a stop on level ground: d = v²/2μg. It stops within a step, so several phases
+ * are run, as for the next.
  *
- * <p>A disc that is thrown without spin slips until it rolls. It loses μg·t of its velocity and
- * gains μg·t·mr²/I = 2μg·t of its rim's, which are equal at T = v/3μg. It then rolls on with 2v/3:
- * d = v·T − μg·T²/2 + (2v/3)·(t − T).
+ * <p>A disc that is thrown without spin slips until it rolls. It loses μg·t of its velocity, and
+ * its rim gains μg·t·mr²/I = 2μg·t; the two are equal at T = v/3μg. Then it rolls on with 2v/3: d =
+ * v·T − μg·T²/2 + (2v/3)·(t − T).
  */
 final class SlideAndRoll {
 
@@ -31,7 +31,7 @@ final class SlideAndRoll {
     private static final double THICKNESS = 0.25;
     private static final double RADIUS = 0.25;
 
-    /** Between one body and the next, m: more than the fastest goes. */
+    /** Distance between bodies, m: more than the fastest moves. */
     private static final double DISTANCE = 20;
 
     /** The phases, m/s; all slide and slip for less than the seconds. */
@@ -40,7 +40,7 @@ final class SlideAndRoll {
     private static final Slope SLOPE = new Slope(Math.atan(FRICTION) + STEEPER);
     private static final Material MATTER = new Material(1, FRICTION, 0);
 
-    /** Row 27, the way of a box to its stop. */
+    /** The error promised at EXACT, row 27: the distance of a box to its stop. */
     private static final double EQUAL_BELOW = 1e-5;
 
     private SlideAndRoll() {}
@@ -103,18 +103,18 @@ final class SlideAndRoll {
                 .with("slip to roll, of the distance", Mean.of(roll));
     }
 
-    /** m that a box slides down the slope. */
+    /** Distance that a box slides down the slope, m. */
     static double downhill(double time) {
         double b = SLOPE.angle();
         return Earth.GRAVITY * (Math.sin(b) - FRICTION * Math.cos(b)) * time * time / 2;
     }
 
-    /** m that a box slides on level ground. */
+    /** Distance that a box slides on level ground, m. */
     static double stopping(double speed) {
         return speed * speed / (2 * FRICTION * Earth.GRAVITY);
     }
 
-    /** m that a disc goes, slipping and then rolling. */
+    /** Distance that a disc moves, slipping and then rolling, m. */
     static double rolling(double speed, double time) {
         double braking = FRICTION * Earth.GRAVITY;
         double slip = speed / (3 * braking);

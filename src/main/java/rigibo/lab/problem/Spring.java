@@ -10,21 +10,21 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Masses swing on springs, x″ = −ω²·x, which is solved by x = cos(ωt + φ), v = −ω·sin(ωt + φ): what
- * starts at the phase φ has gone on by ωt, and v² + ω²x² stays ω². The phase is followed from step
- * to step, so that an engine that lags by more than a turn is told from one that does not.
+ * Masses on springs: x″ = −ω²·x has the solution x = cos(ωt + φ), v = −ω·sin(ωt + φ). The phase
+ * advances by ωt, and v² + ω²x² stays ω². The phase is followed from step to step, so that a lag of
+ * more than a turn is counted.
  */
 final class Spring {
 
-    /** One period a second. */
+    /** The angular frequency of one period a second. */
     private static final double OMEGA = 2 * Math.PI;
 
     private static final double PERIODS = 100;
 
-    /** φ, rad: none is a quarter turn from another, where errors of energy would be alike. */
+    /** φ, rad: no two differ by a quarter turn, where errors of energy would be alike. */
     private static final double[] PHASES = {0, 0.4, 0.8, 1.2};
 
-    /** The case origin/fields: a spring for a hundred turns. */
+    /** The error promised at EXACT, row origin/fields: a spring for a hundred turns. */
     private static final double EQUAL_BELOW = 1e-7;
 
     private Spring() {}

@@ -8,9 +8,9 @@ import rigibo.lab.truth.Solid;
 import java.util.List;
 
 /**
- * Stacks of N = 10 and 20 boxes of 1 m and 1 kg stand, so nothing is accelerated, and what is below
- * box k, the lowest being 0, carries the N − k boxes from there on: in a step of dt its impulse is
- * λₖ = (N − k)·m·g·dt. It is weighed at every step of the last half second and the worst counts.
+ * Stacks of N = 10 and 20 boxes of 1 m and 1 kg stand, so nothing accelerates. The support of box
+ * k, counted from 0 at the bottom, carries N − k boxes: in a step of dt its impulse is λₖ = (N −
+ * k)·m·g·dt. It is read at every step of the last half second, and the largest error counts.
  */
 final class Stacks {
 
@@ -20,12 +20,12 @@ final class Stacks {
     private static final double MASS = 1;
 
     /**
-     * Between one box and the next at the start, m: some engines give polygons a skin of 1 cm and
-     * would find boxes that touch overlapping.
+     * The gap between boxes at the start, m: some engines give polygons a skin of 1 cm and would
+     * find boxes that touch overlapping.
      */
     private static final double GAP = 0.02;
 
-    /** Row 19: the impulse below a box; row 20 holds stacks to it. */
+    /** The error promised at EXACT, row 19: the impulse below a box; row 20 has it for stacks. */
     private static final double EQUAL_BELOW = 1e-6;
 
     private Stacks() {}

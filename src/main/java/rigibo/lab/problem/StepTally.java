@@ -4,7 +4,7 @@ import rigibo.lab.child.ThreadUse;
 
 import java.util.function.LongSupplier;
 
-/** The times of measured steps, without what is done between them. */
+/** The times of measured steps, without the work between them. */
 public final class StepTally {
 
     private static final double NANOS_PER_MICRO = 1e3;
@@ -32,17 +32,17 @@ public final class StepTally {
         return steps;
     }
 
-    /** Mean of the thread's own processor time, µs a step. */
+    /** Mean processor time of the thread, µs a step. */
     public double cpuMicros() {
         return cpuNanos / (NANOS_PER_MICRO * steps);
     }
 
-    /** Mean by the clock on the wall, µs a step. */
+    /** Mean wall-clock time, µs a step. */
     public double wallMicros() {
         return wallNanos / (NANOS_PER_MICRO * steps);
     }
 
-    /** Mean of what is allocated, bytes a step. */
+    /** Mean allocation, bytes a step. */
     public double bytesPerStep() {
         return (double) bytes / steps;
     }

@@ -26,7 +26,7 @@ public final class Bounces {
         firstImpact = Math.sqrt(2 * height / Earth.GRAVITY);
     }
 
-    /** The height whose fall takes so long, m. */
+    /** The height of a fall that takes a time, m. */
     public static double heightOfFall(double seconds) {
         return Earth.GRAVITY * seconds * seconds / 2;
     }
@@ -36,12 +36,12 @@ public final class Bounces {
         return Math.pow(elasticity, 2.0 * n) * height;
     }
 
-    /** The apex that the body is flying to at a time, s after the fall began. */
+    /** The apex of the flight at a time, s after the fall began. */
     public double apexAt(double seconds) {
         return apex(impactsUntil(seconds));
     }
 
-    /** When the n-th impact comes, n from 1, s. */
+    /** The time of the n-th impact, n from 1, s. */
     public double impactTime(int n) {
         double time = firstImpact;
         double flight = 2 * firstImpact;
@@ -52,12 +52,12 @@ public final class Bounces {
         return time;
     }
 
-    /** When the last of infinitely many impacts is over, s; infinite for e = 1. */
+    /** The time at which infinitely many bounces are over, s; infinite for e = 1. */
     public double restTime() {
         return firstImpact * (1 + elasticity) / (1 - elasticity);
     }
 
-    /** When the first impact comes, s. */
+    /** The time of the first impact, s. */
     public double firstImpact() {
         return firstImpact;
     }

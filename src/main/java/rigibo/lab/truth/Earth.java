@@ -5,7 +5,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.setup.BodyDefinition;
 
-/** The surroundings of most scenes: the effects on the ground, and the ground. */
+/** The surroundings of most scenes: effects and ground. */
 public final class Earth {
 
     /** Acceleration of gravity, m/s². */
@@ -14,19 +14,19 @@ public final class Earth {
     private Earth() {}
 
     /**
-     * Weight, contacts, rotation, friction, elasticity, impacts at their time. Sleep is not among
-     * them: a scene that only rests because it is put to sleep does not rest.
+     * Gravity, contacts, rotation, friction, restitution and continuous impacts. Sleep is left out,
+     * since a scene that rests only asleep does not rest.
      */
     public static Effects effects() {
         return Effects.usual().without(Sleep.class);
     }
 
-    /** The effects of Earth but for gravity. */
+    /** The effects without gravity. */
     public static Effects space() {
         return effects().without(Gravity.class);
     }
 
-    /** A floor of 200 m whose surface is y = 0, of this friction and elasticity. */
+    /** A floor of 200 m with the surface y = 0, a friction and an elasticity. */
     public static BodyDefinition floor(double friction, double elasticity) {
         return Solid.fixed(200, 2, friction, elasticity).at(0, -1).name("floor");
     }

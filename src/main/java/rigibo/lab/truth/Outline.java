@@ -65,8 +65,9 @@ public final class Outline {
     }
 
     /**
-     * Largest gap to another along any edge normal, m: below 0 the least depth of their overlap; a
-     * bound of it above 0. Of compounds that of the two parts which are deepest in each other.
+     * The largest gap to another outline along any edge normal, m. Below 0 it is the least depth of
+     * their overlap, above 0 a lower bound of the gap. For compounds it is that of the two parts
+     * with the deepest overlap.
      */
     public double separation(Outline other) {
         double least = Double.POSITIVE_INFINITY;

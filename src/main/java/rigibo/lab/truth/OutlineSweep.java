@@ -29,8 +29,7 @@ public final class OutlineSweep {
      * A sweep without outlines.
      *
      * @param unit of overlap by shape, m; of two shapes the lesser counts
-     * @param meet whether two that overlap are not allowed to: those of a group are, and those that
-     *     are joined
+     * @param meet whether two outlines may not overlap; those of a group and joined ones may
      */
     public OutlineSweep(ToDoubleFunction<Shape> unit, BiPredicate<Outline, Outline> meet) {
         this.unit = unit;
@@ -40,7 +39,7 @@ public final class OutlineSweep {
     /**
      * Adds an outline, which may be placed anew before each {@link #deepest}.
      *
-     * @param givesWay false for what nothing moves: two such may overlap as they like
+     * @param givesWay false for a fixed body; two of them may overlap
      */
     public void add(Outline outline, boolean givesWay) {
         entries.add(new Entry(outline, givesWay, unit.applyAsDouble(outline.shape())));

@@ -1,6 +1,6 @@
 package rigibo.lab.truth;
 
-/** What is true of whatever swings about a fixed point. */
+/** The swing about a fixed point. */
 public final class Pendulum {
 
     private static final int MOST_MEANS = 40;
@@ -27,8 +27,9 @@ public final class Pendulum {
     }
 
     /**
-     * When a coordinate passes 0 within a step, as a share of it: where the cubic does that has its
-     * values and slopes at both ends, which is off by (ωh)⁴/384 of the amplitude at most.
+     * The time at which a coordinate passes 0 within a step, as a share of it: the zero of the
+     * cubic with its values and slopes at both ends, which errs by at most (ωh)⁴/384 of the
+     * amplitude.
      *
      * @param from value at the start
      * @param rate of it per step there

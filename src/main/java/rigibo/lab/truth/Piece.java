@@ -5,7 +5,7 @@ import rigibo.backend.geometry.Outline;
 /** A convex piece of an outline in the world. */
 final class Piece {
 
-    /** Overlap of two cores in m that round-off makes of two segments in one line. */
+    /** The overlap of two cores that round-off causes for two segments on one line, m. */
     private static final double IN_LINE = 1e-9;
 
     private final Outline outline;
@@ -20,7 +20,7 @@ final class Piece {
         cornerY = new double[outline.corners()];
     }
 
-    /** Puts its body somewhere, m. */
+    /** Places its body, m. */
     void place(double x, double y, double cos, double sin) {
         for (int i = 0; i < cornerX.length; i++) {
             double px = outline.cornerX(i);
@@ -30,7 +30,7 @@ final class Piece {
         }
     }
 
-    /** As {@link rigibo.lab.truth.Outline#separation} tells it, m. */
+    /** The separation as of {@link rigibo.lab.truth.Outline#separation}, m. */
     double separation(Piece other) {
         if (isRound() && other.isRound()) {
             double apart = Math.hypot(other.cornerX[0] - cornerX[0], other.cornerY[0] - cornerY[0]);
@@ -45,14 +45,17 @@ final class Piece {
         return gapOfCores(other) - round - other.round;
     }
 
-    /** Corners that are round come as near as the two cores do, which no edge normal may show. */
+    /**
+     * The distance of the two cores, which counts at round corners and which no edge normal may
+     * show.
+     */
     private double gapOfCores(Piece other) {
         double parted = Math.max(gapAlongNormals(other), other.gapAlongNormals(this));
         boolean isAsked = round + other.round > 0 && parted > -IN_LINE;
         return isAsked ? Math.max(parted, Math.min(nearest(other), other.nearest(this))) : parted;
     }
 
-    /** How near a corner of another comes to this core, m. */
+    /** The least distance of a corner of another core from this core, m. */
     private double nearest(Piece other) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < other.cornerX.length; i++) {

@@ -6,8 +6,8 @@ import rigibo.backend.setup.Material;
 import java.util.List;
 
 /**
- * A smooth disc in a room, e = 1. Truth: unfolded at the walls its way is straight, so each
- * coordinate is a triangle wave of time: x = w − |((x0 + vt) mod 2w) − w| over the free way w.
+ * A smooth disc in a room, e = 1. Truth: unfolded at the walls its path is straight, so each
+ * coordinate is a triangle wave of time: x = w − |((x0 + vt) mod 2w) − w| over the free width w.
  *
  * @param velocityX of the disc at the start, m/s, 0 or more
  * @param velocityY of the disc at the start, m/s, 0 or more
@@ -31,7 +31,7 @@ public record Room(double velocityX, double velocityY) {
                 wall.at(WIDTH + 0.5, HEIGHT / 2).angle(Math.PI / 2));
     }
 
-    /** The disc where it starts. */
+    /** The disc at its start. */
     public BodyDefinition disc() {
         return Solid.disc(RADIUS)
                 .at(START_X, START_Y)
@@ -39,12 +39,12 @@ public record Room(double velocityX, double velocityY) {
                 .material(SMOOTH);
     }
 
-    /** Of both pairs of walls. */
+    /** Bounces per second at both pairs of walls. */
     public double bouncesPerSecond() {
         return velocityX / (WIDTH - 2 * RADIUS) + velocityY / (HEIGHT - 2 * RADIUS);
     }
 
-    /** How far a place is from where the disc is after so many s, as a share of the width. */
+    /** The distance of a place from that of the disc at a time in s, as a share of the width. */
     public double off(double x, double y, double time) {
         double trueX = RADIUS + wave(START_X - RADIUS + velocityX * time, WIDTH - 2 * RADIUS);
         double trueY = RADIUS + wave(START_Y - RADIUS + velocityY * time, HEIGHT - 2 * RADIUS);

@@ -14,14 +14,14 @@ public record Slope(double angle) {
     private static final double LENGTH = 400;
     private static final double THICKNESS = 2;
 
-    /** The plank, made of this. */
+    /** The plank, of a material. */
     public BodyDefinition plank(Material material) {
         double x = -THICKNESS / 2 * Angle.sin(angle);
         double y = -THICKNESS / 2 * Angle.cos(angle);
         return Solid.fixed(LENGTH, THICKNESS).at(x, y).angle(-angle).material(material);
     }
 
-    /** A body lying at the origin, its centre so far from the face. */
+    /** A body at the origin, its centre at a height above the face. */
     public BodyDefinition place(BodyDefinition body, double above) {
         return body.at(above * Angle.sin(angle), above * Angle.cos(angle)).angle(-angle);
     }

@@ -10,49 +10,49 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Bodies as most scenes have them, sizes in m, at the origin and at rest: of density 1. */
+/** The usual bodies of scenes, of density 1, at the origin and at rest; sizes in m. */
 public final class Solid {
 
     private Solid() {}
 
-    /** What they are of. */
+    /** The material of the bodies. */
     public static Material matter(double friction, double elasticity) {
         return new Material(1, friction, elasticity);
     }
 
-    /** A body that moves, of any shape. */
+    /** A dynamic body of any shape. */
     public static BodyDefinition of(Shape shape, double friction, double elasticity) {
         return BodyDefinition.dynamic(shape).material(matter(friction, elasticity));
     }
 
-    /** A disc that moves. */
+    /** A dynamic disc. */
     public static BodyDefinition disc(double radius, double friction, double elasticity) {
         return of(new Circle(radius), friction, elasticity);
     }
 
-    /** A disc that moves, of the usual material. */
+    /** A dynamic disc of the usual material. */
     public static BodyDefinition disc(double radius) {
         return BodyDefinition.dynamic(new Circle(radius));
     }
 
-    /** A box that moves. */
+    /** A dynamic box. */
     public static BodyDefinition box(
             double width, double height, double friction, double elasticity) {
         return of(Polygon.box(width, height), friction, elasticity);
     }
 
-    /** A box that moves, of the usual material. */
+    /** A dynamic box of the usual material. */
     public static BodyDefinition box(double width, double height) {
         return BodyDefinition.dynamic(Polygon.box(width, height));
     }
 
-    /** A box that nothing moves. */
+    /** A fixed box. */
     public static BodyDefinition fixed(
             double width, double height, double friction, double elasticity) {
         return fixed(width, height).material(matter(friction, elasticity));
     }
 
-    /** A box that nothing moves, of the usual material. */
+    /** A fixed box of the usual material. */
     public static BodyDefinition fixed(double width, double height) {
         return BodyDefinition.fixed(Polygon.box(width, height));
     }
@@ -60,7 +60,7 @@ public final class Solid {
     /**
      * A pyramid on a floor at y = 0, storey by storey from the left.
      *
-     * @param box of its boxes
+     * @param box the definition of a box
      * @param base boxes of the lowest storey
      * @param side of a box, m
      * @param gap below each storey, m

@@ -19,7 +19,7 @@ class PageTest {
     void tellsWhereItComesFrom() {
         assertThat(text)
                 .contains("`./rigibo lab --figures effects --runs 20` on a machine, a day.")
-                .contains("(`the flags`)", "periods of 30 steps", "95.9 % at least");
+                .contains("(`the flags`)", "periods of 30 steps", "of at least 95.9 %");
     }
 
     @Test
@@ -28,7 +28,7 @@ class PageTest {
                 .contains(
                         "| flyers | 41 | 5.00 µs | 5.01 µs | 1.0020 | 1.0020 to 1.0020 | equal"
                                 + " within 1 % | 0.00 | yes | yes |")
-                .contains("in 1 of 1 scenes the whole interval is within 1 %");
+                .contains("in 1 of 1 scenes its whole interval is within 1 %");
     }
 
     /** 25 rows at 10 contacts. */

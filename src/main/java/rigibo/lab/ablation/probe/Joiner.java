@@ -7,9 +7,7 @@ import rigibo.backend.RigidBody;
 import java.util.List;
 import java.util.function.Consumer;
 
-/**
- * Joins every user of a pool with its partner, who comes after it, when it first meets the pool.
- */
+/** Joins every user of a pool with its partner, the next body, in its first step in the pool. */
 final class Joiner implements Consumer<Pool> {
 
     private final int users;

@@ -33,7 +33,7 @@ public record LeftOut(Workload scene, String effect, Effects remaining) {
         }
         Effects kept = Effects.of();
         int before;
-        // One that needs another is accepted in the round after that one.
+        // An effect that needs another is accepted in the round after the other.
         do {
             before = candidates.size();
             for (Effect candidate : List.copyOf(candidates)) {
@@ -47,7 +47,10 @@ public record LeftOut(Workload scene, String effect, Effects remaining) {
                 declared.all().stream().filter(kept.all()::contains).toArray(Effect[]::new));
     }
 
-    /** Effects alone know what they need, and say so by refusing. */
+    /**
+     * Whether an effect can be declared beside others; only {@link Effects} knows, and refuses it
+     * if not.
+     */
     private static boolean isAccepted(Effects kept, Effect candidate) {
         try {
             kept.with(candidate);
@@ -57,7 +60,7 @@ public record LeftOut(Workload scene, String effect, Effects remaining) {
         }
     }
 
-    /** The effects left out because they need the one that was. */
+    /** The other effects that are left out, since they need the one that is. */
     public List<String> companions() {
         return scene.effects().all().stream()
                 .filter(one -> !remaining.all().contains(one))

@@ -6,7 +6,7 @@ import rigibo.backend.setup.BodyType;
 
 import java.util.List;
 
-/** Where every moving body of a pool was, and how it moved, to put it back. */
+/** The places and velocities of all moving bodies of a pool, to restore them. */
 final class Poses {
 
     private final List<RigidBody> bodies;

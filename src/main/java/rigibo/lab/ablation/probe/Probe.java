@@ -10,15 +10,15 @@ import rigibo.lab.child.Work;
 import java.util.Arrays;
 import java.util.stream.DoubleStream;
 
-/** The process: runs one workload and prints what it found. */
+/** The main class of the process: runs one workload and prints the result. */
 public final class Probe {
 
-    /** What the line with the sample begins with. */
+    /** The beginning of the line with the sample. */
     public static final String MARK = "sample ";
 
     private static final double STEP = 1.0 / 60;
 
-    /** Periods that are counted, and after which the state is hashed. */
+    /** The number of periods whose work is counted, and after which the state is hashed. */
     private static final int COUNTED_PERIODS = 2;
 
     private static final int FEWEST_TIMED_PERIODS = 3;
@@ -45,8 +45,8 @@ public final class Probe {
     /**
      * Measures a workload.
      *
-     * @param arguments its words, the seed of its chance, and for how long it warms up and is timed
-     *     at least, both ms
+     * @param arguments its words, the seed of its random numbers, and the least times of warm-up
+     *     and timing, ms
      */
     public static void main(String[] arguments) {
         Workload workload = new Workloads(Long.parseLong(arguments[1])).find(arguments[0]);
@@ -89,7 +89,7 @@ public final class Probe {
         }
     }
 
-    /** ns and bytes per step of every timed period; putting bodies back is not timed. */
+    /** Time in ns and bytes per step of every timed period, without the time to put bodies back. */
     private double[][] time(double millis) {
         double[] nanos = new double[MOST_TIMED_PERIODS];
         double[] bytes = new double[MOST_TIMED_PERIODS];
@@ -99,7 +99,7 @@ public final class Probe {
                 || count < MOST_TIMED_PERIODS
                         && System.nanoTime() - begun < millis * NANOS_PER_MILLI) {
             poses.restore();
-            // The clock may allocate, so it is asked first and last.
+            // The clock may allocate, so it is read first and last.
             long before = ThreadUse.nanos();
             long allocated = ThreadUse.bytes();
             run();

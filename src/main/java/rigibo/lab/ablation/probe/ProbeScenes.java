@@ -35,7 +35,7 @@ final class ProbeScenes {
 
     private ProbeScenes() {}
 
-    /** A stack that stays and falls asleep beside a pyramid that a heavy crate runs into. */
+    /** A stack that falls asleep, beside a pyramid that a heavy crate hits. */
     static Workload crate() {
         String words =
                 "a stack of 10 that falls asleep, a pyramid of 15 struck by a crate of ten times"
@@ -65,7 +65,7 @@ final class ProbeScenes {
         return bodies;
     }
 
-    /** Wheels that roll down a ramp each, driven by a torque and held back by a thrust. */
+    /** Wheels that roll down a ramp each, driven by a torque and braked by a thrust. */
     static Workload wheel() {
         Effects effects =
                 RUBBING.with(new RollingResistance())
@@ -76,11 +76,11 @@ final class ProbeScenes {
                 "wheel", words, effects, ProbeScenes::wheels, 5, 90, ProbeScenes::driveWheels);
     }
 
-    /** The wheels first, so that they are found by their number. */
+    /** The wheels come first, so that they have the numbers from 0 on. */
     private static List<BodyDefinition> wheels() {
         double radius = 0.45;
         double slope = -Math.toRadians(15);
-        // Between one ramp and the next below it, m.
+        // Distance between a ramp and the next below it, m.
         double storey = 12;
         Material rubber = new Material(1, 0.6, 0).rollingResistance(0.005);
         double along = -3.4;
@@ -110,7 +110,7 @@ final class ProbeScenes {
         }
     }
 
-    /** Half a second, in which rubber does not stop a box from 5 m/s. */
+    /** Boxes on lanes for half a second, in which rubber does not stop a box from 5 m/s. */
     static Workload friction() {
         String words = "60 boxes sliding on lanes of ice, wood and rubber";
         return new Workload(
@@ -122,7 +122,7 @@ final class ProbeScenes {
         double[] lanes = {0.03, 0.4, 0.9};
         int boxes = 20;
         double halfHeight = 0.3;
-        // Between one box and the next, m: more than the fastest slides in a period.
+        // Distance between boxes, m: more than the fastest slides in a period.
         double distance = 10;
         double length = (boxes + 2) * distance;
         List<BodyDefinition> bodies = new ArrayList<>();
@@ -163,7 +163,7 @@ final class ProbeScenes {
         return bodies;
     }
 
-    /** A floor at y = 0 and two walls; a list that may be added to. */
+    /** A floor at y = 0 and two walls, in a list that can be extended. */
     private static List<BodyDefinition> trough() {
         List<BodyDefinition> parts = new ArrayList<>();
         parts.add(BodyDefinition.fixed(Polygon.box(WIDTH + 2, 1)).at(0, -0.5));
@@ -192,7 +192,10 @@ final class ProbeScenes {
         return bodies;
     }
 
-    /** Begins in the air: put back into a heap, boxes would have lost what carried them. */
+    /**
+     * Boxes that begin in the air: put back into a heap they would lack the loads that carried
+     * them.
+     */
     static Workload heap(long seed) {
         String words = "500 boxes tumbling onto a heap, sleep off";
         return new Workload("heap", words, RUBBING, () -> tumbling(seed), 0, 60, Workload.UNDRIVEN);
@@ -210,8 +213,8 @@ final class ProbeScenes {
     }
 
     /**
-     * Discs side by side that never meet, each free to use an effect by itself, for a second and a
-     * half: long enough to fall asleep in.
+     * Discs side by side that never meet, each of which may use an effect, for a second and a half,
+     * long enough to fall asleep.
      */
     static Workload row() {
         String words = "1,000 discs in a row, 3 m apart";

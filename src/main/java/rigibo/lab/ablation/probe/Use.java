@@ -17,18 +17,18 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
 /**
- * How bodies of the scene that suits an effect use it, or do not.
+ * The bodies of a scene that suits an effect, some of which use it.
  *
- * @param scene the bodies and what drives them
- * @param base what is declared beside the effect
+ * @param scene the bodies and their drive
+ * @param base the effects declared beside the effect
  * @param effect with its parameters
- * @param neutral with parameters by which it does nothing, where nobody is to use one that acts on
- *     all bodies; else the effect itself
+ * @param neutral the effect with parameters by which it does nothing, for an effect that acts on
+ *     all bodies while none is to use it; otherwise the effect itself
  * @param words how a body uses it
- * @param user what a user puts into the scene, of its definition: itself, perhaps changed, and what
- *     it needs beside it
- * @param idler what is put there for a body that does not use it
- * @param push what drives a user before each step
+ * @param user makes, from a body's definition, the bodies of a user: itself, perhaps changed, and
+ *     those that it needs
+ * @param idler likewise for a body that does not use it
+ * @param push drives a user before each step
  */
 public record Use(
         Workload scene,
@@ -40,10 +40,10 @@ public record Use(
         UnaryOperator<BodyDefinition> idler,
         Consumer<RigidBody> push) {
 
-    /** What moves by itself. */
+    /** The push of bodies that need none. */
     private static final Consumer<RigidBody> NO_PUSH = body -> {};
 
-    /** Users are as they are, and so are the others. */
+    /** A use in which users and others are the bodies of the scene, unchanged. */
     static Use of(Workload scene, Effects base, Effect effect, String words) {
         UnaryOperator<BodyDefinition> same = UnaryOperator.identity();
         return new Use(scene, base, effect, effect, words, List::of, same, NO_PUSH);
@@ -57,7 +57,7 @@ public record Use(
         return users(body -> List.of(change.apply(body)));
     }
 
-    /** For users that need something beside them. */
+    /** A copy whose users need other bodies beside them. */
     Use users(Function<BodyDefinition, List<BodyDefinition>> bodies) {
         return new Use(scene, base, effect, neutral, words, bodies, idler, push);
     }
@@ -75,32 +75,32 @@ public record Use(
         return effect.getClass().getSimpleName();
     }
 
-    /** How many may use it: all or none of what acts on all bodies or does nothing. */
+    /** The shares of users that are possible: all or none for an effect that acts on all bodies. */
     public List<Share> shares() {
         return effect == neutral ? List.of(Share.values()) : List.of(Share.NONE, Share.ALL);
     }
 
-    /** How many bodies use it. */
+    /** The number of bodies that use it. */
     public int users(Share share) {
         return share.of((int) scene.bodies().stream().filter(Use::mayUse).count());
     }
 
-    /** What never moves uses nothing. */
+    /** Whether a body may use an effect; fixed bodies do not. */
     private static boolean mayUse(BodyDefinition body) {
         return body.type() == BodyType.DYNAMIC;
     }
 
-    /** The scene in which so many use the effect, which is declared. */
+    /** The scene with the effect declared, which a share of the bodies uses. */
     public Workload declared(Share share) {
         return used(share, base.with(share == Share.NONE ? neutral : effect), push);
     }
 
-    /** The same bodies where it is not. */
+    /** The same bodies without the effect. */
     public Workload undeclared(Share share) {
         return used(share, base, NO_PUSH);
     }
 
-    /** The first ones use it. */
+    /** The scene whose first bodies use the effect. */
     private Workload used(Share share, Effects effects, Consumer<RigidBody> pushed) {
         int users = users(share);
         Consumer<Pool> drive = effects.declares(Thrust.class) ? scene.drive() : Workload.UNDRIVEN;
@@ -113,14 +113,17 @@ public record Use(
         return scene.with(effects, () -> bodies(users, effects.declares(Sensors.class)), drive);
     }
 
-    /** Whoever is pushed is among the first bodies: those scenes add nothing before them. */
+    /** Pushes the users, which are the first bodies of a scene. */
     private static void push(Pool pool, int users, Consumer<RigidBody> pushed) {
         for (int i = 0; i < users; i++) {
             pushed.accept(pool.bodies().get(i));
         }
     }
 
-    /** Where sensors are not declared there are none, for they would be refused. */
+    /**
+     * The bodies of the scene; without sensors if the effect is undeclared, which would refuse
+     * them.
+     */
     private List<BodyDefinition> bodies(int users, boolean senses) {
         List<BodyDefinition> all = new ArrayList<>();
         int met = 0;

@@ -31,7 +31,7 @@ import rigibo.backend.setup.Material;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** Every effect in the one scene that suits it. */
+/** The uses of all effects. */
 final class UseList {
 
     private static final Workload ROW = ProbeScenes.row();
@@ -47,7 +47,7 @@ final class UseList {
 
     private UseList() {}
 
-    /** A use each, in the order effects are listed. */
+    /** A use of each effect, in the order in which effects are listed. */
     static List<Use> all(long seed) {
         return List.of(
                 row(Effects.of(), EARTH, "its gravity scale is 1, not 0")
@@ -126,12 +126,12 @@ final class UseList {
         return Use.of(ROW, base, effect, words);
     }
 
-    /** In a scene of the table, whose other effects are declared beside it. */
+    /** A use in a scene of the table, whose other effects are declared beside it. */
     private static Use inScene(Workload scene, Effect effect, String words) {
         return Use.of(scene, scene.effects().without(effect.getClass()), effect, words);
     }
 
-    /** A disc that is thrown along with a body, so many m above it. */
+    /** A disc that flies along with a body, at a height above it, m. */
     private static BodyDefinition along(BodyDefinition body, double radius, double above) {
         return BodyDefinition.dynamic(new Circle(radius))
                 .mass(1)
@@ -139,7 +139,7 @@ final class UseList {
                 .velocity(body.velocityX(), body.velocityY());
     }
 
-    /** Users have a plate under them, whose surface is so many metres below their centre. */
+    /** A use whose users rest on a plate, whose surface is at a distance below their centre, m. */
     private static Use onPlates(
             Effects base, Effect effect, String words, double elasticity, double height) {
         Material matter = new Material(1, 0, elasticity);

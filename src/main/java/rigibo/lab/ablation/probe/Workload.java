@@ -9,14 +9,14 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * A scene that is measured: it runs for a while, is put back, and runs the same way again.
+ * A scene that is measured: it runs for a period, is put back, and runs again in the same way.
  *
  * @param name one word for the command line and the tables
- * @param words what it is, for a reader who does not see it
- * @param effects what it calls for
+ * @param words a description
+ * @param effects that it declares
  * @param laidOut its bodies, in the order they are added
- * @param stepsToSettle before the state that every period begins with
- * @param period steps until it is put back: as long as it keeps moving
+ * @param stepsToSettle before the state with which every period begins
+ * @param period steps until it is put back, as long as it keeps moving
  * @param drive before each step; allocates nothing
  */
 public record Workload(
@@ -28,7 +28,7 @@ public record Workload(
         int period,
         Consumer<Pool> drive) {
 
-    /** What goes by itself. */
+    /** The drive of a scene that needs none. */
     static final Consumer<Pool> UNDRIVEN = pool -> {};
 
     /** Its bodies, in the order they are added. */

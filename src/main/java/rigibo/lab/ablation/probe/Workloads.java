@@ -3,13 +3,13 @@ package rigibo.lab.ablation.probe;
 import java.util.List;
 import java.util.Locale;
 
-/** What can be measured, by the words that a process is told it with. */
+/** All workloads, by the words that name them to a process. */
 public final class Workloads {
 
     private final List<Workload> scenes;
     private final List<Use> uses;
 
-    /** The scenes whose chance comes from a seed. */
+    /** Workloads whose random numbers come from a seed. */
     public Workloads(long seed) {
         scenes =
                 List.of(
@@ -27,12 +27,12 @@ public final class Workloads {
         return scenes;
     }
 
-    /** Every effect in the scene that suits it. */
+    /** A use of every effect. */
     public List<Use> uses() {
         return uses;
     }
 
-    /** The scene of a name. */
+    /** The scene with a name. */
     public Workload scene(String name) {
         return scenes.stream()
                 .filter(scene -> scene.name().equals(name))
@@ -40,7 +40,7 @@ public final class Workloads {
                 .orElseThrow(() -> new IllegalArgumentException("there is no scene " + name));
     }
 
-    /** How an effect is used, by its simple name. */
+    /** The use of an effect with a simple name. */
     public Use use(String effect) {
         return uses.stream()
                 .filter(use -> use.name().equals(effect))
@@ -74,7 +74,7 @@ public final class Workloads {
         return scene + " beside " + effect;
     }
 
-    /** The words for an effect that so many bodies use, declared or not. */
+    /** The words for an effect that a share of the bodies uses, declared or not. */
     public static String using(String effect, Share share, boolean isDeclared) {
         String users = share.name().toLowerCase(Locale.ROOT);
         return "use " + effect + " " + users + (isDeclared ? " declared" : " undeclared");
