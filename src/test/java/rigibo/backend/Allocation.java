@@ -22,7 +22,8 @@ public final class Allocation {
         return bytes() - before;
     }
 
-    private static long bytes() {
+    /** Bytes that this thread has allocated so far. */
+    static long bytes() {
         return THREADS.getThreadAllocatedBytes(Thread.currentThread().getId());
     }
 }

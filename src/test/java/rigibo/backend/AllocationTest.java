@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -23,9 +22,6 @@ class AllocationTest {
     private static final int WARM_UP = 5000;
 
     private static final int STEPS = 1000;
-
-    private static final com.sun.management.ThreadMXBean THREADS =
-            (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     /** What is run: every scene; prints the bytes that its steps allocated. */
     public static void main(String[] arguments) {
@@ -52,15 +48,11 @@ class AllocationTest {
     private static long bytesOfSteps(Pool pool) {
         Scenes.run(pool, WARM_UP);
         // The question itself may allocate the first time it is asked.
-        bytesAllocated();
-        long before = bytesAllocated();
-        long asked = bytesAllocated() - before;
-        before = bytesAllocated();
+        Allocation.bytes();
+        long before = Allocation.bytes();
+        long asked = Allocation.bytes() - before;
+        before = Allocation.bytes();
         Scenes.run(pool, STEPS);
-        return bytesAllocated() - before - asked;
-    }
-
-    private static long bytesAllocated() {
-        return THREADS.getThreadAllocatedBytes(Thread.currentThread().getId());
+        return Allocation.bytes() - before - asked;
     }
 }

@@ -283,20 +283,20 @@ class CompoundBodyTest {
         RigidBody floor = pool.add(BodyDefinition.fixed(Polygon.box(20, 1)).at(0, -0.5));
         RigidBody first = pool.add(BodyDefinition.dynamic(CUP).at(0, 1));
         RigidBody second = pool.add(BodyDefinition.dynamic(Polygon.box(0.3, 0.3)).at(0, 2));
-        run(pool, 60);
+        Scenes.run(pool, 60);
         assertThat(pool.touching(first, floor)).isTrue();
 
         first.shape(Polygon.box(1, 0.2));
         second.moveTo(0, 2, 0);
         second.shape(DUMBBELL);
-        run(pool, 60);
+        Scenes.run(pool, 60);
         second.type(BodyType.STATIC);
         second.moveTo(0, 3, 0);
         first.shape(CUP);
-        run(pool, 60);
+        Scenes.run(pool, 60);
         second.type(BodyType.DYNAMIC);
         floor.moveTo(0, -1, 0);
-        run(pool, 200);
+        Scenes.run(pool, 200);
         assertThat(first.isAwake()).isFalse();
         assertThat(pool.bodies()).containsExactly(floor, first, second);
         Pool restored = Pool.restore(pool.snapshot());
@@ -304,8 +304,8 @@ class CompoundBodyTest {
 
         pool.remove(floor);
         restored.remove(restored.bodies().get(0));
-        run(pool, 30);
-        run(restored, 30);
+        Scenes.run(pool, 30);
+        Scenes.run(restored, 30);
         assertThat(restored.stateHash()).isEqualTo(pool.stateHash());
         assertThat(first.velocityY()).as("falls").isLessThan(-4);
         pool.remove(first);
@@ -333,7 +333,7 @@ class CompoundBodyTest {
         left.moveTo(-12, left.y() - left.originY() + 0.25, 0);
         RigidBody right = pool.add(BodyDefinition.dynamic(cup));
         right.moveTo(12, left.y(), 0);
-        run(pool, 5);
+        Scenes.run(pool, 5);
         RigidBody marble =
                 pool.add(BodyDefinition.dynamic(new Circle(0.2)).at(0, 9).velocity(-12, 0));
         int most = 0;
@@ -353,11 +353,5 @@ class CompoundBodyTest {
         pool.add(BodyDefinition.dynamic(CUP).at(5, 5));
 
         assertThat(pool.bitsPerBody() - before).as("owner, next shape, part").isEqualTo(96);
-    }
-
-    private static void run(Pool pool, int steps) {
-        for (int i = 0; i < steps; i++) {
-            pool.step(DT);
-        }
     }
 }

@@ -148,7 +148,7 @@ class FilterTest {
         Pool pool = new Pool();
         RigidBody floor = pool.add(BodyDefinition.fixed(Polygon.box(10, 1)).at(0, -0.5));
         RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 0.5));
-        run(pool, 120);
+        Scenes.run(pool, 120);
         assertThat(box.isAwake()).isFalse();
 
         floor.filter(Filter.ALL.mask(0));
@@ -158,12 +158,12 @@ class FilterTest {
         assertThat(pool.contactEvents())
                 .singleElement()
                 .satisfies(e -> assertThat(e.phase()).isEqualTo(ContactEvent.Phase.END));
-        run(pool, 29);
+        Scenes.run(pool, 29);
         assertThat(box.velocityY()).isEqualTo(-9.81 * 0.5, within(1e-9));
 
         box.moveTo(0, 2, 0);
         floor.filter(Filter.ALL);
-        run(pool, 120);
+        Scenes.run(pool, 120);
         assertThat(box.y()).isEqualTo(0.5, within(0.01));
     }
 
@@ -174,7 +174,7 @@ class FilterTest {
         RigidBody twins = pool.add(BodyDefinition.fixed(TWINS).filter(1, Filter.ALL.mask(0)));
         RigidBody stopped = pool.add(BodyDefinition.dynamic(Polygon.box(0.3, 0.3)).at(-1, 1));
         RigidBody falling = pool.add(BodyDefinition.dynamic(Polygon.box(0.3, 0.3)).at(1, 1));
-        run(pool, 40);
+        Scenes.run(pool, 40);
         assertThat(stopped.y()).isGreaterThan(0.3);
         assertThat(falling.y()).isLessThan(-1);
         assertThat(twins.filter(1).mask()).isZero();
@@ -182,7 +182,7 @@ class FilterTest {
         Pool restored = Pool.restore(pool.snapshot());
         assertThat(restored.bodies().get(0).filter(1)).isEqualTo(twins.filter(1));
         restored.bodies().get(0).filter(0, Filter.ALL.mask(0));
-        run(restored, 40);
+        Scenes.run(restored, 40);
         assertThat(restored.bodies().get(1).y()).isLessThan(0);
         assertThatThrownBy(() -> twins.filter(2)).hasMessageContaining("part must be 0 to 1");
     }
@@ -211,7 +211,7 @@ class FilterTest {
                                 .velocity(3, 0));
         assertThat(body.material(0).friction()).isEqualTo(0.9);
         assertThat(body.material(1)).isEqualTo(ice);
-        run(pool, 30);
+        Scenes.run(pool, 30);
         // N₀ + N₁ = mg, and about the centre: (N₁ − N₀)·1 = μN₀·h, with h its height.
         double height = 0.3 + sledge.centroidY();
         double braked = 0.9 * 9.81 / (2 + 0.9 * height);
@@ -219,7 +219,7 @@ class FilterTest {
 
         body.material(0, ice);
         double speed = body.velocityX();
-        run(pool, 30);
+        Scenes.run(pool, 30);
         assertThat(body.velocityX()).isEqualTo(speed, within(1e-9));
     }
 
@@ -231,18 +231,18 @@ class FilterTest {
         BodyDefinition slab = BodyDefinition.dynamic(Polygon.box(1, 0.1)).at(0.8, 0.05);
         RigidBody locked = pool.add(slab.lockRotation().spin(3));
         assertThat(locked.rotationLocked()).isTrue();
-        run(pool, 60);
+        Scenes.run(pool, 60);
         assertThat(locked.angle()).isZero();
         assertThat(locked.y()).isEqualTo(0.05, within(1e-3));
         locked.spin(5);
         locked.applyImpulse(0, 1e-6, 5, 5);
         assertThat(locked.angularVelocity()).isZero();
         Pool restored = Pool.restore(pool.snapshot());
-        run(restored, 60);
+        Scenes.run(restored, 60);
         assertThat(restored.bodies().get(1).angle()).isZero();
 
         locked.rotationLocked(false);
-        run(pool, 60);
+        Scenes.run(pool, 60);
         assertThat(locked.angle()).isLessThan(-0.1);
     }
 
@@ -264,7 +264,7 @@ class FilterTest {
                                 .velocity(4, 0));
         double m = ball.mass();
         double target = locked.mass();
-        run(pool, 60);
+        Scenes.run(pool, 60);
         // Two points: v' = v·2m/(m + M).
         assertThat(locked.velocityX()).isEqualTo(4 * 2 * m / (m + target), within(1e-12));
         assertThat(locked.angularVelocity()).isZero();
@@ -283,17 +283,11 @@ class FilterTest {
                 box.filter(Filter.ALL.category(2));
                 box.filter(Filter.ALL);
             }
-            run(pool, 90);
+            Scenes.run(pool, 90);
             hashes.add(Double.doubleToLongBits(box.y()));
             bits.add(pool.bitsPerBody());
         }
         assertThat(hashes.get(0)).isEqualTo(hashes.get(1));
         assertThat(bits).hasSize(2);
-    }
-
-    private static void run(Pool pool, int steps) {
-        for (int i = 0; i < steps; i++) {
-            pool.step(DT);
-        }
     }
 }

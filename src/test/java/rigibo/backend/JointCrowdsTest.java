@@ -35,22 +35,17 @@ class JointCrowdsTest {
     /** Rows that passes solve in a step: a million, made twice at most, in 5 kicks for 4. */
     private static final long MOST_SOLVES = 2_500_000;
 
-    private static double energy(Pool pool) {
-        double springs = pool.joints().stream().mapToDouble(Joint::energy).sum();
-        return pool.kineticEnergy() + pool.potentialEnergy() + springs;
-    }
-
     private static double worstError(Pool pool) {
         return pool.joints().stream().mapToDouble(Joint::error).max().orElse(0);
     }
 
     /** Runs so many steps and holds what every step owes; answers the worst error seen, m. */
     private static double run(Pool pool, int steps) {
-        double start = energy(pool);
+        double start = JointScenes.energy(pool);
         double worst = 0;
         for (int i = 0; i < steps; i++) {
             StepReport report = pool.step(Scenes.DT);
-            assertThat(energy(pool))
+            assertThat(JointScenes.energy(pool))
                     .as("J after step %d", i)
                     .isLessThanOrEqualTo(start * (1 + ROUND_OFF));
             assertThat(report.multiplications()).isLessThan(MOST_MULTIPLICATIONS);

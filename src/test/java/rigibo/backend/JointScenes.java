@@ -47,6 +47,12 @@ final class JointScenes {
         return preset.equals("EXACT") ? Accuracy.EXACT : Accuracy.GAME;
     }
 
+    /** The energy of motion, height and springs, J. */
+    static double energy(Pool pool) {
+        double springs = pool.joints().stream().mapToDouble(Joint::energy).sum();
+        return pool.kineticEnergy() + pool.potentialEnergy() + springs;
+    }
+
     /** What joints hang from. */
     static RigidBody hook(Pool pool, double x, double y) {
         return pool.add(BodyDefinition.fixed(Polygon.box(0.1, 0.1)).at(x, y).group(1));

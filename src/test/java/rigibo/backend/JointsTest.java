@@ -33,15 +33,6 @@ class JointsTest {
         return pool.add(BodyDefinition.fixed(Polygon.box(0.1, 0.1)));
     }
 
-    private static Accuracy accuracy(String preset) {
-        return preset.equals("EXACT") ? Accuracy.EXACT : Accuracy.GAME;
-    }
-
-    private static double energy(Pool pool) {
-        double springs = pool.joints().stream().mapToDouble(Joint::energy).sum();
-        return pool.kineticEnergy() + pool.potentialEnergy() + springs;
-    }
-
     @Test
     void areRefusedWhereTheyAreNotDeclared() {
         Pool pool = new Pool();
@@ -66,7 +57,7 @@ class JointsTest {
         "EXACT, 0.0873, 1e-6", "EXACT, 1.5708, 1e-6", "EXACT, 3.0543, 1e-6"
     })
     void physicalPendulumSwingsAtItsPeriod(String preset, double amplitude, double limit) {
-        Pool pool = new Pool(EARTH, accuracy(preset));
+        Pool pool = new Pool(EARTH, JointScenes.accuracy(preset));
         double d = 0.5;
         double mass = 2;
         double inertia = 0.3;
@@ -81,7 +72,7 @@ class JointsTest {
         double about = inertia + mass * d * d;
         double truth =
                 2 * Math.PI * Math.sqrt(about / (mass * G * d)) / mean(1, Math.cos(amplitude / 2));
-        double start = energy(pool);
+        double start = JointScenes.energy(pool);
         double scale = mass * G * d * (1 - Math.cos(amplitude));
         double first = 0;
         double last = 0;
@@ -96,7 +87,7 @@ class JointsTest {
                 first = crossings == 0 ? last : first;
                 crossings++;
             }
-            assertThat(Math.abs(energy(pool) - start) / scale).isLessThan(limit);
+            assertThat(Math.abs(JointScenes.energy(pool) - start) / scale).isLessThan(limit);
             assertThat(hinge.error()).isLessThan(preset.equals("EXACT") ? 1e-9 : 1e-4);
         }
         assertThat((last - first) / 20 / truth).isCloseTo(1, within(limit));
@@ -137,7 +128,7 @@ class JointsTest {
     @ParameterizedTest
     @CsvSource({"GAME", "EXACT"})
     void chainInItsCatenaryStays(String preset) {
-        Pool pool = new Pool(EARTH, accuracy(preset));
+        Pool pool = new Pool(EARTH, JointScenes.accuracy(preset));
         RigidBody before = ground(pool);
         double horizontal = 100;
         int links = 50;
@@ -170,7 +161,7 @@ class JointsTest {
     @ParameterizedTest
     @CsvSource({"GAME, 1e-6, 1e-3", "EXACT, 1e-9, 1e-6"})
     void chainCarriesAHeavyBob(String preset, double gap, double limit) {
-        Pool pool = new Pool(EARTH, accuracy(preset));
+        Pool pool = new Pool(EARTH, JointScenes.accuracy(preset));
         RigidBody before = ground(pool);
         double dx = 0.2 * Math.sin(1);
         double dy = -0.2 * Math.cos(1);
@@ -192,12 +183,12 @@ class JointsTest {
                                 .mass(1e4)
                                 .group(1));
         pool.join(RevoluteJoint.at(before, bob, bob.x(), bob.y()));
-        double start = energy(pool);
+        double start = JointScenes.energy(pool);
         for (int i = 0; i < 90; i++) {
             pool.step(DT);
             assertThat(pool.joints()).allSatisfy(j -> assertThat(j.error()).isLessThan(gap));
             assertThat(Math.hypot(bob.x(), bob.y())).isLessThan(6 * (1 + limit));
-            assertThat(Math.abs(energy(pool) - start)).isLessThan(limit * 1e4 * G * 6);
+            assertThat(Math.abs(JointScenes.energy(pool) - start)).isLessThan(limit * 1e4 * G * 6);
         }
     }
 
@@ -208,7 +199,7 @@ class JointsTest {
         "EXACT, 2, 0, 1e-4", "EXACT, 15, 0, 1e-4", "EXACT, 15, 0.1, 1e-4"
     })
     void springSwingsAndDecays(String preset, double hertz, double ratio, double limit) {
-        Pool pool = new Pool(SPACE, accuracy(preset));
+        Pool pool = new Pool(SPACE, JointScenes.accuracy(preset));
         RigidBody body = pool.add(BodyDefinition.dynamic(new Circle(0.1)).at(1, 0).mass(3));
         Joint slide =
                 pool.join(PrismaticJoint.along(ground(pool), body, 1, 0, 0).spring(hertz, ratio));

@@ -7,7 +7,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
@@ -25,9 +24,6 @@ class SharedCostTest {
 
     /** Pictures that a reader holds while steps go on, the oldest given back in each. */
     private static final int HELD = 3;
-
-    private static final com.sun.management.ThreadMXBean THREADS =
-            (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     /** What is run: measured scenes, whose pools share or do not. */
     public static void main(String[] arguments) {
@@ -50,16 +46,12 @@ class SharedCostTest {
         for (int i = 0; i < WARM_UP + STEPS; i++) {
             held.remove().close();
             held.add(view.read());
-            long before = bytesAllocated();
+            long before = Allocation.bytes();
             pool.step(Scenes.DT);
-            long after = bytesAllocated();
+            long after = Allocation.bytes();
             bytes += i < WARM_UP ? 0 : after - before;
         }
         return bytes;
-    }
-
-    private static long bytesAllocated() {
-        return THREADS.getThreadAllocatedBytes(Thread.currentThread().getId());
     }
 
     @Test

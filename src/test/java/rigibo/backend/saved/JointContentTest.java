@@ -1,7 +1,5 @@
 package rigibo.backend.saved;
 
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
-
 import org.junit.jupiter.api.Test;
 
 import rigibo.backend.GearJoint;
@@ -38,15 +36,7 @@ class JointContentTest {
     private static void requireRefusal(Consumer<JointStore> change, String words) {
         Snapshot snapshot = snapshot();
         change.accept(snapshot.data.joints);
-        requireRefusal(snapshot, words);
-    }
-
-    private static void requireRefusal(Snapshot snapshot, String words) {
-        byte[] bytes = snapshot.encode();
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> Pool.restore(bytes))
-                .withMessageStartingWith("Pool.restore snapshot: ")
-                .withMessageContaining(words);
+        SnapshotContentTest.requireRefusal(snapshot, words);
     }
 
     @Test
@@ -83,9 +73,9 @@ class JointContentTest {
     void orderThatMissesAJointIsRefused() {
         Snapshot tooFew = snapshot();
         tooFew.jointOrder = new int[] {0, 1};
-        requireRefusal(tooFew, "must name 3 joints, was 2");
+        SnapshotContentTest.requireRefusal(tooFew, "must name 3 joints, was 2");
         Snapshot twice = snapshot();
         twice.jointOrder = new int[] {0, 1, 1};
-        requireRefusal(twice, "each joint once, was slot 1");
+        SnapshotContentTest.requireRefusal(twice, "each joint once, was slot 1");
     }
 }

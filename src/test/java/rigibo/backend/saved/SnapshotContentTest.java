@@ -197,7 +197,7 @@ class SnapshotContentTest {
         requireRefusal(snapshotOf(data), words);
     }
 
-    private static void requireRefusal(Snapshot snapshot, String words) {
+    static void requireRefusal(Snapshot snapshot, String words) {
         byte[] bytes = snapshot.encode();
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Pool.restore(bytes))

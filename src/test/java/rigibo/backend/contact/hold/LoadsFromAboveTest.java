@@ -51,12 +51,8 @@ class LoadsFromAboveTest {
         motions.data[entry * Motions.STRIDE + Motions.VY] = -PULL * KICK;
     }
 
-    private double impulse(int row, int column) {
-        return contacts.data[row * PackedContacts.STRIDE + column];
-    }
-
     private double load(int row) {
-        return impulse(row, PackedContacts.IMPULSE0) + impulse(row, PackedContacts.IMPULSE1);
+        return island.of(row, PackedContacts.IMPULSE0) + island.of(row, PackedContacts.IMPULSE1);
     }
 
     private void assertAllStand(int count) {
@@ -110,7 +106,7 @@ class LoadsFromAboveTest {
         assertThat(loads.handDown(KICK)).isTrue();
         double weight = 3 * PULL * KICK;
         double first = weight * right / (left + right);
-        assertThat(impulse(row, PackedContacts.IMPULSE0)).isCloseTo(first, within(HELD * weight));
+        assertThat(island.of(row, PackedContacts.IMPULSE0)).isCloseTo(first, within(HELD * weight));
         assertThat(load(row)).isCloseTo(weight, within(HELD * weight));
         assertAllStand(1);
     }
@@ -142,7 +138,8 @@ class LoadsFromAboveTest {
         if (isHeld) {
             double weight = 3 * PULL * KICK;
             double near = weight * 0.5 / 0.8;
-            assertThat(impulse(0, PackedContacts.IMPULSE1)).isCloseTo(near, within(HELD * weight));
+            assertThat(island.of(0, PackedContacts.IMPULSE1))
+                    .isCloseTo(near, within(HELD * weight));
             assertAllStand(count);
         }
     }
@@ -170,7 +167,7 @@ class LoadsFromAboveTest {
             assertThat(load(row)).isCloseTo(weight * Math.cos(slope), within(HELD * weight));
             // The tangent is the normal turned to the left: it points down a slope that falls to
             // the left, and friction up.
-            assertThat(impulse(row, PackedContacts.IMPULSE_T))
+            assertThat(island.of(row, PackedContacts.IMPULSE_T))
                     .isCloseTo(-weight * Math.sin(slope), within(HELD * weight));
             assertAllStand(1);
         }
@@ -190,7 +187,7 @@ class LoadsFromAboveTest {
         double weight = 2 * PULL * KICK;
         double rubs = weight * Math.sin(slope);
         double difference =
-                impulse(row, PackedContacts.IMPULSE0) - impulse(row, PackedContacts.IMPULSE1);
+                island.of(row, PackedContacts.IMPULSE0) - island.of(row, PackedContacts.IMPULSE1);
         // Σ lever·j = 0: the slope falls to the left.
         assertThat(0.5 * difference).isCloseTo(height * rubs, within(HELD * weight));
         assertThat(load(row)).isCloseTo(weight * Math.cos(slope), within(HELD * weight));
@@ -206,7 +203,7 @@ class LoadsFromAboveTest {
         contacts.data[at + PackedContacts.IMPULSE_T] = 0.5;
         motions.data[Motions.STRIDE + Motions.VX] = -0.25;
         assertThat(loads.handDown(KICK)).isTrue();
-        assertThat(impulse(row, PackedContacts.IMPULSE_T)).isZero();
+        assertThat(island.of(row, PackedContacts.IMPULSE_T)).isZero();
         assertAllStand(1);
     }
 

@@ -22,14 +22,6 @@ class PackedContactsTest {
     private final PackedIsland island = new PackedIsland();
     private final PackedContacts contacts = island.contacts;
 
-    private void set(int row, int column, double value) {
-        contacts.data[row * PackedContacts.STRIDE + column] = value;
-    }
-
-    private double of(int row, int column) {
-        return contacts.data[row * PackedContacts.STRIDE + column];
-    }
-
     private void lay(int count) {
         island.begin(count);
         for (int entry = 1; entry <= count; entry++) {
@@ -83,11 +75,11 @@ class PackedContactsTest {
     void theGreatestIsTold() {
         lay(3);
         for (int row = 0; row < 3; row++) {
-            set(row, PackedContacts.WIDTH, row == 1 ? 7 : 2);
-            set(row, PackedContacts.ELASTICITY, row == 2 ? 0.9 : 0.1);
-            set(row, PackedContacts.K00, row == 0 ? 2 : 1);
-            set(row, PackedContacts.IMPULSE0, 3);
-            set(row, PackedContacts.IMPULSE1, row);
+            island.set(row, PackedContacts.WIDTH, row == 1 ? 7 : 2);
+            island.set(row, PackedContacts.ELASTICITY, row == 2 ? 0.9 : 0.1);
+            island.set(row, PackedContacts.K00, row == 0 ? 2 : 1);
+            island.set(row, PackedContacts.IMPULSE0, 3);
+            island.set(row, PackedContacts.IMPULSE1, row);
         }
         assertThat(contacts.widest()).isEqualTo(7);
         assertThat(contacts.highestElasticity()).isEqualTo(0.9);
@@ -98,10 +90,10 @@ class PackedContactsTest {
     void pointsCarryInThisKickOrTheLast() {
         lay(1);
         assertThat(contacts.carries(0, 0)).isFalse();
-        set(0, PackedContacts.IMPULSE0, 1);
+        island.set(0, PackedContacts.IMPULSE0, 1);
         assertThat(contacts.carries(0, 0)).isTrue();
         assertThat(contacts.carries(0, 1)).isFalse();
-        set(0, PackedContacts.BEFORE1, 1);
+        island.set(0, PackedContacts.BEFORE1, 1);
         assertThat(contacts.carries(0, 1)).isTrue();
     }
 
@@ -117,18 +109,18 @@ class PackedContactsTest {
         };
         for (int row = 0; row < 3; row++) {
             for (int column : all) {
-                set(row, column, row + column);
+                island.set(row, column, row + column);
             }
         }
         contacts.addUpImpulses(3);
         double sum = 2 + 2 + PackedContacts.IMPULSE0 + PackedContacts.IMPULSE1;
-        assertThat(of(2, PackedContacts.TOTAL)).isEqualTo(3 * sum);
+        assertThat(island.of(2, PackedContacts.TOTAL)).isEqualTo(3 * sum);
         contacts.addUpImpulses(2, 2);
-        assertThat(of(2, PackedContacts.TOTAL)).isEqualTo(5 * sum);
+        assertThat(island.of(2, PackedContacts.TOTAL)).isEqualTo(5 * sum);
         contacts.scaleImpulses(1, 0.5);
         for (int column : all) {
-            assertThat(of(1, column)).isEqualTo(0.5 * (1 + column));
-            assertThat(of(2, column)).isEqualTo(2 + column);
+            assertThat(island.of(1, column)).isEqualTo(0.5 * (1 + column));
+            assertThat(island.of(2, column)).isEqualTo(2 + column);
         }
         contacts.joinsIn(2, 4);
         assertThat(contacts.lastJoining).isEqualTo(4);
@@ -138,7 +130,7 @@ class PackedContactsTest {
         contacts.unload();
         for (int row = 0; row < 3; row++) {
             for (int column : all) {
-                assertThat(of(row, column)).isZero();
+                assertThat(island.of(row, column)).isZero();
             }
         }
         contacts.clear(1);
@@ -152,8 +144,8 @@ class PackedContactsTest {
         lay(1);
         double[] values = {0.6, 0.8, 0.1, 0.2, 0.3, 0.4};
         System.arraycopy(values, 0, contacts.data, 0, values.length);
-        set(0, PackedContacts.LEVER_TA, 0.5);
-        set(0, PackedContacts.LEVER_TB, 0.7);
+        island.set(0, PackedContacts.LEVER_TA, 0.5);
+        island.set(0, PackedContacts.LEVER_TB, 0.7);
         Impact impact = new Impact();
         contacts.addPoint(0, 0, impact);
         contacts.addPoint(0, 1, impact);
@@ -166,8 +158,8 @@ class PackedContactsTest {
             for (int side = 0; side < 2; side++) {
                 double x = arms[side][0];
                 double y = arms[side][1];
-                double across = of(0, PackedContacts.LEVER_A0 + 2 * point + side);
-                double along = of(0, PackedContacts.LEVER_TA + side);
+                double across = island.of(0, PackedContacts.LEVER_A0 + 2 * point + side);
+                double along = island.of(0, PackedContacts.LEVER_TA + side);
                 assertThat(x * 0.8 - y * 0.6).isCloseTo(across, within(ROUND_OFF));
                 // The tangent is (−0.8, 0.6).
                 assertThat(x * 0.6 + y * 0.8).isCloseTo(along, within(ROUND_OFF));
@@ -182,8 +174,8 @@ class PackedContactsTest {
     @Test
     void overlapOpensByItsRate() {
         lay(1);
-        set(0, PackedContacts.WIDTH, 2);
-        set(0, PackedContacts.RECOVERY, 30);
+        island.set(0, PackedContacts.WIDTH, 2);
+        island.set(0, PackedContacts.RECOVERY, 30);
         double over = 0.01 - 2 * 1e-3;
         assertThat(Recovery.opens(contacts, 0, -0.01, 1e-3, 0.1, 9))
                 .isCloseTo(over * 3 / 4, within(ROUND_OFF));
@@ -216,9 +208,9 @@ class PackedContactsTest {
         for (int entry = 1; entry <= 40; entry++) {
             island.body(entry, 0.5, 0);
             int row = island.contact(entry - 1, entry, 0.5, 0.5);
-            set(row, PackedContacts.IMPULSE0, entry);
-            set(row, PackedContacts.IMPULSE1, 2 * entry);
-            set(row, PackedContacts.IMPULSE_T, -3 * entry);
+            island.set(row, PackedContacts.IMPULSE0, entry);
+            island.set(row, PackedContacts.IMPULSE1, 2 * entry);
+            island.set(row, PackedContacts.IMPULSE_T, -3 * entry);
         }
         bodies.accelerationX[0] = -2;
         bodies.accelerationY[0] = 1;

@@ -22,6 +22,16 @@ public final class PackedIsland {
         contacts.groundStart = 0;
     }
 
+    /** The number in a column of a contact. */
+    public double of(int row, int column) {
+        return contacts.data[row * PackedContacts.STRIDE + column];
+    }
+
+    /** Sets the number in a column of a contact. */
+    public void set(int row, int column, double value) {
+        contacts.data[row * PackedContacts.STRIDE + column] = value;
+    }
+
     /** A body whose outline reaches one metre. */
     public void body(int entry, double inverseMass, double inverseInertia) {
         motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] = inverseMass;

@@ -22,19 +22,11 @@ class WarmStartTest {
         island.bodies(random, COUNT);
         for (int entry = 1; entry <= COUNT; entry++) {
             int row = island.contact(random, entry - 1, entry);
-            set(row, PackedContacts.IMPULSE0, random.nextDouble());
-            set(row, PackedContacts.IMPULSE1, random.nextDouble());
-            set(row, PackedContacts.IMPULSE_T, random.nextDouble(-1, 1));
-            set(row, PackedContacts.IMPULSE_R, random.nextDouble(-1, 1));
+            island.set(row, PackedContacts.IMPULSE0, random.nextDouble());
+            island.set(row, PackedContacts.IMPULSE1, random.nextDouble());
+            island.set(row, PackedContacts.IMPULSE_T, random.nextDouble(-1, 1));
+            island.set(row, PackedContacts.IMPULSE_R, random.nextDouble(-1, 1));
         }
-    }
-
-    private void set(int row, int column, double value) {
-        contacts.data[row * PackedContacts.STRIDE + column] = value;
-    }
-
-    private double of(int row, int column) {
-        return contacts.data[row * PackedContacts.STRIDE + column];
     }
 
     /** M⁻¹·Jᵀ times the impulses, scaled by the lengths of both kicks. */
@@ -86,8 +78,8 @@ class WarmStartTest {
         SplittableRandom random = new SplittableRandom(3);
         begin(random);
         contacts.firstSubstep[1] = 2;
-        set(1, PackedContacts.BEFORE0, 3);
-        set(1, PackedContacts.BEFORE1, 5);
+        island.set(1, PackedContacts.BEFORE0, 3);
+        island.set(1, PackedContacts.BEFORE1, 5);
         double[] impulses = dense.impulses();
         double[] before = dense.velocities();
         warmStart.apply(2, 1);
@@ -96,15 +88,15 @@ class WarmStartTest {
         for (int k = 0; k < impulses.length; k++) {
             applied[k] = k / DenseRows.KINDS == 1 ? 0 : 2 * impulses[k];
         }
-        assertThat(of(1, PackedContacts.IMPULSE0)).isEqualTo(impulses[DenseRows.KINDS]);
-        assertThat(of(1, PackedContacts.BEFORE0)).isEqualTo(3);
+        assertThat(island.of(1, PackedContacts.IMPULSE0)).isEqualTo(impulses[DenseRows.KINDS]);
+        assertThat(island.of(1, PackedContacts.BEFORE0)).isEqualTo(3);
         double[] change = dense.change(applied);
         for (int k = 3; k < before.length; k++) {
             assertThat(dense.velocities()[k]).isCloseTo(before[k] + change[k], within(ROUND_OFF));
         }
         warmStart.scaleBefore(2, 2);
-        assertThat(of(1, PackedContacts.BEFORE0)).isEqualTo(6);
-        assertThat(of(1, PackedContacts.BEFORE1)).isEqualTo(10);
+        assertThat(island.of(1, PackedContacts.BEFORE0)).isEqualTo(6);
+        assertThat(island.of(1, PackedContacts.BEFORE1)).isEqualTo(10);
     }
 
     /** No impulse grows, and what was taken back moves the bodies no more. */
@@ -142,15 +134,15 @@ class WarmStartTest {
         int at = Motions.STRIDE;
         island.motions.data[at + Motions.VX] = 0;
         island.motions.data[at + Motions.VY] = 0;
-        double nx = of(row, PackedContacts.NX);
-        double ny = of(row, PackedContacts.NY);
-        set(row, PackedContacts.IMPULSE0, 3);
+        double nx = island.of(row, PackedContacts.NX);
+        double ny = island.of(row, PackedContacts.NY);
+        island.set(row, PackedContacts.IMPULSE0, 3);
         double speed = 1;
         island.motions.data[at + Motions.VX] = speed * nx;
         island.motions.data[at + Motions.VY] = speed * ny;
         warmStart.takeBackWhatParts(0, 1);
         assertThat(island.motions.parting(contacts, row, 0)).isCloseTo(0, within(ROUND_OFF));
-        assertThat(of(row, PackedContacts.IMPULSE0)).isCloseTo(1, within(ROUND_OFF));
+        assertThat(island.of(row, PackedContacts.IMPULSE0)).isCloseTo(1, within(ROUND_OFF));
     }
 
     /** A load stays; an impact, which was not there in the kick before, starts from nothing. */
@@ -158,18 +150,18 @@ class WarmStartTest {
     void impactsAreLeftOutAndLoadsStay() {
         SplittableRandom random = new SplittableRandom(4);
         begin(random);
-        set(0, PackedContacts.BEFORE0, 2);
-        set(0, PackedContacts.BEFORE1, 2);
-        set(1, PackedContacts.BEFORE0, 0);
-        set(1, PackedContacts.BEFORE1, 0);
-        set(2, PackedContacts.IMPULSE0, 4);
-        set(2, PackedContacts.IMPULSE1, 1);
-        set(2, PackedContacts.IMPULSE_T, 3);
-        set(2, PackedContacts.IMPULSE_R, -2);
-        set(2, PackedContacts.BEFORE0, 1);
-        set(2, PackedContacts.BEFORE1, 9);
-        set(3, PackedContacts.IMPULSE0, 0);
-        set(3, PackedContacts.IMPULSE1, 0);
+        island.set(0, PackedContacts.BEFORE0, 2);
+        island.set(0, PackedContacts.BEFORE1, 2);
+        island.set(1, PackedContacts.BEFORE0, 0);
+        island.set(1, PackedContacts.BEFORE1, 0);
+        island.set(2, PackedContacts.IMPULSE0, 4);
+        island.set(2, PackedContacts.IMPULSE1, 1);
+        island.set(2, PackedContacts.IMPULSE_T, 3);
+        island.set(2, PackedContacts.IMPULSE_R, -2);
+        island.set(2, PackedContacts.BEFORE0, 1);
+        island.set(2, PackedContacts.BEFORE1, 9);
+        island.set(3, PackedContacts.IMPULSE0, 0);
+        island.set(3, PackedContacts.IMPULSE1, 0);
         double[] impulses = dense.impulses();
         warmStart.leaveOutImpacts(1.5);
         for (int kind = 0; kind < DenseRows.KINDS; kind++) {
@@ -177,15 +169,15 @@ class WarmStartTest {
             assertThat(dense.impulses()[DenseRows.KINDS + kind]).isZero();
         }
         // One and a half times 1, all of 1, and half of the rest: (1.5 + 1)/(4 + 1).
-        assertThat(of(2, PackedContacts.IMPULSE0)).isEqualTo(1.5);
-        assertThat(of(2, PackedContacts.IMPULSE1)).isEqualTo(1);
-        assertThat(of(2, PackedContacts.IMPULSE_T)).isEqualTo(1.5);
-        assertThat(of(2, PackedContacts.IMPULSE_R)).isEqualTo(-1);
+        assertThat(island.of(2, PackedContacts.IMPULSE0)).isEqualTo(1.5);
+        assertThat(island.of(2, PackedContacts.IMPULSE1)).isEqualTo(1);
+        assertThat(island.of(2, PackedContacts.IMPULSE_T)).isEqualTo(1.5);
+        assertThat(island.of(2, PackedContacts.IMPULSE_R)).isEqualTo(-1);
         // The kick before is now this one, as it was.
-        assertThat(of(2, PackedContacts.BEFORE0)).isEqualTo(4);
-        assertThat(of(2, PackedContacts.BEFORE1)).isEqualTo(1);
+        assertThat(island.of(2, PackedContacts.BEFORE0)).isEqualTo(4);
+        assertThat(island.of(2, PackedContacts.BEFORE1)).isEqualTo(1);
         // What carried nothing does not rub either.
-        assertThat(of(3, PackedContacts.IMPULSE_T)).isZero();
+        assertThat(island.of(3, PackedContacts.IMPULSE_T)).isZero();
     }
 
     @Test
@@ -193,8 +185,10 @@ class WarmStartTest {
         begin(new SplittableRandom(5));
         warmStart.prepare();
         for (int row = 0; row < COUNT; row++) {
-            assertThat(of(row, PackedContacts.BEFORE0)).isEqualTo(of(row, PackedContacts.IMPULSE0));
-            assertThat(of(row, PackedContacts.BEFORE1)).isEqualTo(of(row, PackedContacts.IMPULSE1));
+            assertThat(island.of(row, PackedContacts.BEFORE0))
+                    .isEqualTo(island.of(row, PackedContacts.IMPULSE0));
+            assertThat(island.of(row, PackedContacts.BEFORE1))
+                    .isEqualTo(island.of(row, PackedContacts.IMPULSE1));
         }
     }
 }

@@ -49,14 +49,6 @@ class DirectSolverTest {
                     true,
                     new SharedRows(null, contacts));
 
-    private double of(int row, int column) {
-        return contacts.data[row * PackedContacts.STRIDE + column];
-    }
-
-    private void set(int row, int column, double value) {
-        contacts.data[row * PackedContacts.STRIDE + column] = value;
-    }
-
     /** A chain from the ground with some more contacts, gaps, and loads of before. */
     private void heap(SplittableRandom random, int count, double friction) {
         island.bodies(random, count);
@@ -70,24 +62,24 @@ class DirectSolverTest {
 
     private void contact(SplittableRandom random, int a, int b, double friction) {
         int row = island.contact(random, a, b);
-        set(row, PackedContacts.GIVE, 0.01);
+        island.set(row, PackedContacts.GIVE, 0.01);
         island.writeMasses(row);
         contacts.points[row] = 1 + random.nextInt(2);
         if (contacts.points[row] == 1) {
-            set(row, PackedContacts.M00, 1 / of(row, PackedContacts.K00));
+            island.set(row, PackedContacts.M00, 1 / island.of(row, PackedContacts.K00));
         }
-        set(row, PackedContacts.FRICTION, friction);
-        set(row, PackedContacts.GAP0, H * random.nextDouble(-0.3, 0.3));
-        set(row, PackedContacts.GAP1, H * random.nextDouble(-0.3, 0.3));
-        set(row, PackedContacts.NEARING, random.nextDouble(0.1));
-        set(row, PackedContacts.IMPULSE0, random.nextDouble(0.1));
+        island.set(row, PackedContacts.FRICTION, friction);
+        island.set(row, PackedContacts.GAP0, H * random.nextDouble(-0.3, 0.3));
+        island.set(row, PackedContacts.GAP1, H * random.nextDouble(-0.3, 0.3));
+        island.set(row, PackedContacts.NEARING, random.nextDouble(0.1));
+        island.set(row, PackedContacts.IMPULSE0, random.nextDouble(0.1));
         contacts.surface[row] = random.nextDouble(-0.3, 0.3);
     }
 
     /** v + gap/h − nearing of a point. */
     private double closes(int row, int point) {
-        double gap = Math.max(0, of(row, PackedContacts.GAP0 + point));
-        return dense.speed(row, point) + gap / H - of(row, PackedContacts.NEARING);
+        double gap = Math.max(0, island.of(row, PackedContacts.GAP0 + point));
+        return dense.speed(row, point) + gap / H - island.of(row, PackedContacts.NEARING);
     }
 
     private void assertObeys() {
@@ -95,15 +87,15 @@ class DirectSolverTest {
         for (int row = 0; row < contacts.count; row++) {
             double load = 0;
             for (int point = 0; point < contacts.points[row]; point++) {
-                double impulse = of(row, PackedContacts.IMPULSE0 + point);
-                double rest = closes(row, point) + of(row, PackedContacts.GIVE) * impulse;
+                double impulse = island.of(row, PackedContacts.IMPULSE0 + point);
+                double rest = closes(row, point) + island.of(row, PackedContacts.GIVE) * impulse;
                 assertThat(impulse).isNotNegative();
                 assertThat(rest).isGreaterThan(-SOLVED);
                 assertThat(Math.min(impulse, rest)).isLessThan(SOLVED);
                 load += impulse;
             }
-            double cone = of(row, PackedContacts.FRICTION) * load;
-            double rubs = of(row, PackedContacts.IMPULSE_T);
+            double cone = island.of(row, PackedContacts.FRICTION) * load;
+            double rubs = island.of(row, PackedContacts.IMPULSE_T);
             double slides = dense.speed(row, DenseRows.TANGENT) - contacts.surface[row];
             assertThat(Math.abs(rubs)).isLessThan(cone + SOLVED);
             boolean isBraked = Math.abs(rubs) > cone - SOLVED && slides * rubs <= SOLVED;
@@ -159,10 +151,10 @@ class DirectSolverTest {
             direct.begin();
             direct.solve(H, 0, SETTLED);
             for (int row = 0; row < contacts.count; row++) {
-                double more = of(row, PackedContacts.IMPULSE0) - kept[DenseRows.KINDS * row];
-                if (of(row, PackedContacts.IMPULSE0) > 0.1) {
+                double more = island.of(row, PackedContacts.IMPULSE0) - kept[DenseRows.KINDS * row];
+                if (island.of(row, PackedContacts.IMPULSE0) > 0.1) {
                     carried++;
-                    double gives = of(row, PackedContacts.GIVE) * more;
+                    double gives = island.of(row, PackedContacts.GIVE) * more;
                     assertThat(closes(row, 0) + gives).isCloseTo(0, within(SOLVED));
                 }
             }
@@ -179,14 +171,14 @@ class DirectSolverTest {
         double[] carried = {0.7, 0.3};
         for (int row = 0; row < 2; row++) {
             island.onGround(1, 0.5, 0.5);
-            set(row, PackedContacts.MASS_T, 1);
-            set(row, PackedContacts.IMPULSE0, carried[row]);
+            island.set(row, PackedContacts.MASS_T, 1);
+            island.set(row, PackedContacts.IMPULSE0, carried[row]);
         }
         direct.prepare(PLENTY, true, GAINED);
         direct.begin();
         direct.solve(H, 0, SETTLED);
         for (int row = 0; row < 2; row++) {
-            assertThat(of(row, PackedContacts.IMPULSE0))
+            assertThat(island.of(row, PackedContacts.IMPULSE0))
                     .isCloseTo(carried[row] + 0.05, within(SOLVED));
         }
     }
@@ -219,8 +211,8 @@ class DirectSolverTest {
             island.body(entry, 1, 1);
             motions.data[entry * Motions.STRIDE + Motions.VY] = -1;
             island.onGround(entry, 0.5, 0.5);
-            set(entry - 1, PackedContacts.MASS_T, 1);
-            set(entry - 1, PackedContacts.GIVE, 1e-10);
+            island.set(entry - 1, PackedContacts.MASS_T, 1);
+            island.set(entry - 1, PackedContacts.GIVE, 1e-10);
         }
         contacts.firstSubstep[1] = 3;
         direct.prepare(PLENTY, false, GAINED);
@@ -239,7 +231,7 @@ class DirectSolverTest {
         island.body(1, 1, 0);
         motions.data[Motions.STRIDE + Motions.VY] = -1;
         int row = island.onGround(1, 0.5, 0.5);
-        set(row, PackedContacts.MASS_T, 1);
+        island.set(row, PackedContacts.MASS_T, 1);
         direct.prepare(PLENTY, false, GAINED);
         direct.begin();
         direct.solve(H, 0, SETTLED);
@@ -288,11 +280,11 @@ class DirectSolverTest {
         heap(random, count, 0);
         for (int row = 0; row < contacts.count; row++) {
             contacts.points[row] = 1;
-            set(row, PackedContacts.GIVE, 1e-13);
-            set(row, PackedContacts.RECOVERY, Recovery.RATE);
-            set(row, PackedContacts.GAP0, random.nextDouble(-deepest, deepest / 5));
-            set(row, PackedContacts.GAP1, 0);
-            set(row, PackedContacts.IMPULSE0, 0);
+            island.set(row, PackedContacts.GIVE, 1e-13);
+            island.set(row, PackedContacts.RECOVERY, Recovery.RATE);
+            island.set(row, PackedContacts.GAP0, random.nextDouble(-deepest, deepest / 5));
+            island.set(row, PackedContacts.GAP1, 0);
+            island.set(row, PackedContacts.IMPULSE0, 0);
         }
         contacts.groundStart = contacts.count;
         overlap.prepare(false);
@@ -372,13 +364,13 @@ class DirectSolverTest {
         island.contact(1, 2, 0.5, 0.5);
         island.onGround(1, 0.5, 0.5);
         for (int row = 0; row < 2; row++) {
-            set(row, PackedContacts.MASS_T, 1);
-            set(row, PackedContacts.GIVE, 1e-12);
-            set(row, PackedContacts.RECOVERY, Recovery.RATE);
+            island.set(row, PackedContacts.MASS_T, 1);
+            island.set(row, PackedContacts.GIVE, 1e-12);
+            island.set(row, PackedContacts.RECOVERY, Recovery.RATE);
         }
         contacts.groundStart = 1;
-        set(0, PackedContacts.GAP0, -1e-3);
-        set(0, PackedContacts.GAP1, -1e-3);
+        island.set(0, PackedContacts.GAP0, -1e-3);
+        island.set(0, PackedContacts.GAP1, -1e-3);
         overlap.prepare(false);
         direct.prepare(PLENTY, false, GAINED);
         direct.begin();
@@ -390,8 +382,8 @@ class DirectSolverTest {
         // Lifted off by more than the kept overlap, it takes half of the way.
         island.motions.data[Motions.STRIDE + Motions.DY] = 0;
         island.motions.data[2 * Motions.STRIDE + Motions.DY] = 0;
-        set(1, PackedContacts.GAP0, 2e-5);
-        set(1, PackedContacts.GAP1, 2e-5);
+        island.set(1, PackedContacts.GAP0, 2e-5);
+        island.set(1, PackedContacts.GAP1, 2e-5);
         direct.forget();
         direct.correct(H, 0);
         assertThat(dense.displacements()[4]).isCloseTo(-wanted / 2, within(yields));

@@ -41,14 +41,6 @@ class FrictionSolverTest {
         return row;
     }
 
-    private double of(int row, int column) {
-        return contacts.data[row * PackedContacts.STRIDE + column];
-    }
-
-    private void set(int row, int column, double value) {
-        contacts.data[row * PackedContacts.STRIDE + column] = value;
-    }
-
     @Test
     void whatHoldsDoesNotSlideAndWhatSlidesIsBrakedByItsLoad() {
         SplittableRandom random = new SplittableRandom(1);
@@ -58,13 +50,13 @@ class FrictionSolverTest {
             int row = contact(random, 1, 2, random.nextDouble(0.1, 1));
             friction.begin(0);
             contacts.surface[row] = random.nextDouble(-1, 1);
-            set(row, PackedContacts.IMPULSE0, random.nextDouble());
-            set(row, PackedContacts.IMPULSE1, random.nextDouble());
+            island.set(row, PackedContacts.IMPULSE0, random.nextDouble());
+            island.set(row, PackedContacts.IMPULSE1, random.nextDouble());
             double cone = pairs.friction[row] * (dense.impulses()[0] + dense.impulses()[1]);
             dense.begin();
             friction.slide(row);
             double slides = dense.speed(row, DenseRows.TANGENT) - contacts.surface[row];
-            double impulse = of(row, PackedContacts.IMPULSE_T);
+            double impulse = island.of(row, PackedContacts.IMPULSE_T);
             assertThat(friction.slidingSpeed(row)).isCloseTo(slides, within(ROUND_OFF));
             assertThat(Math.abs(impulse)).isLessThanOrEqualTo(cone);
             dense.assertImpulsesTellAll(ROUND_OFF);
@@ -90,12 +82,13 @@ class FrictionSolverTest {
         pairs.frictionForce[rubs] = 4;
         friction.begin(0.1);
         assertThat(friction.rowCount()).isEqualTo(1);
-        assertThat(of(rubs, PackedContacts.FRICTION)).isEqualTo(0.5);
-        assertThat(of(rubs, PackedContacts.IMPULSE_T)).isCloseTo(0.4, within(ROUND_OFF));
-        assertThat(of(0, PackedContacts.IMPULSE_T)).isZero();
-        assertThat(of(0, PackedContacts.FRICTION)).isZero();
+        assertThat(island.of(rubs, PackedContacts.FRICTION)).isEqualTo(0.5);
+        assertThat(island.of(rubs, PackedContacts.IMPULSE_T)).isCloseTo(0.4, within(ROUND_OFF));
+        assertThat(island.of(0, PackedContacts.IMPULSE_T)).isZero();
+        assertThat(island.of(0, PackedContacts.FRICTION)).isZero();
         double response = dense.response(rubs, DenseRows.TANGENT, rubs, DenseRows.TANGENT);
-        assertThat(of(rubs, PackedContacts.MASS_T)).isCloseTo(1 / response, within(ROUND_OFF));
+        assertThat(island.of(rubs, PackedContacts.MASS_T))
+                .isCloseTo(1 / response, within(ROUND_OFF));
         friction.begin(0.2);
         assertThat(friction.rowCount()).isEqualTo(1);
     }
@@ -106,10 +99,11 @@ class FrictionSolverTest {
         island.bodies(random, 1);
         int row = contact(random, 0, 1, 0.5);
         friction.begin(0.1);
-        set(row, PackedContacts.LEVER_TB, 2);
+        island.set(row, PackedContacts.LEVER_TB, 2);
         friction.refresh();
         double response = dense.response(row, DenseRows.TANGENT, row, DenseRows.TANGENT);
-        assertThat(of(row, PackedContacts.MASS_T)).isCloseTo(1 / response, within(ROUND_OFF));
+        assertThat(island.of(row, PackedContacts.MASS_T))
+                .isCloseTo(1 / response, within(ROUND_OFF));
     }
 
     /** Half a kick of h/2 gave the impulse: the force is twice as much over h. */
@@ -120,7 +114,7 @@ class FrictionSolverTest {
         contact(random, 0, 1, 0);
         int row = contact(random, 1, 2, 0.5);
         friction.begin(0);
-        set(row, PackedContacts.IMPULSE_T, 3);
+        island.set(row, PackedContacts.IMPULSE_T, 3);
         pairs.frictionForce[0] = 7;
         friction.store(0.1);
         assertThat(pairs.frictionForce[row]).isCloseTo(60, within(ROUND_OFF));
@@ -139,6 +133,6 @@ class FrictionSolverTest {
         pairs.friction[0] = 1;
         friction.begin(0);
         assertThat(friction.rowCount()).isEqualTo(40);
-        assertThat(of(39, PackedContacts.FRICTION)).isEqualTo(1);
+        assertThat(island.of(39, PackedContacts.FRICTION)).isEqualTo(1);
     }
 }

@@ -34,10 +34,6 @@ class HeldOverlapTest {
                     Accuracy.GAME);
     private final DirectSolver direct = new DirectSolver(island.motions, contacts, overlap, 16);
 
-    private void set(int row, int column, double value) {
-        contacts.data[row * PackedContacts.STRIDE + column] = value;
-    }
-
     /** Two boxes of 1 kg that overlap, the lower of which rests on a floor by so many N·s. */
     private double twoBoxes(double load) {
         island.begin(2);
@@ -46,16 +42,16 @@ class HeldOverlapTest {
         island.contact(1, 2, 0.5, 0.5);
         island.onGround(1, 0.5, 0.5);
         for (int row = 0; row < 2; row++) {
-            set(row, PackedContacts.MASS_T, 1);
-            set(row, PackedContacts.RECOVERY, Recovery.RATE);
+            island.set(row, PackedContacts.MASS_T, 1);
+            island.set(row, PackedContacts.RECOVERY, Recovery.RATE);
         }
         contacts.groundStart = 1;
-        set(0, PackedContacts.GAP0, -1e-3);
-        set(0, PackedContacts.GAP1, -1e-3);
+        island.set(0, PackedContacts.GAP0, -1e-3);
+        island.set(0, PackedContacts.GAP1, -1e-3);
         // Farther from the floor than what counts as standing on it.
-        set(1, PackedContacts.GAP0, 2e-5);
-        set(1, PackedContacts.GAP1, 2e-5);
-        set(1, PackedContacts.IMPULSE0, load);
+        island.set(1, PackedContacts.GAP0, 2e-5);
+        island.set(1, PackedContacts.GAP1, 2e-5);
+        island.set(1, PackedContacts.IMPULSE0, load);
         overlap.prepare(false);
         assertThat(direct.prepare(1e12, false, GAINED)).isTrue();
         direct.begin();

@@ -63,10 +63,6 @@ class NewtonSolverTest {
         return island.motions.data[body * Motions.STRIDE + Motions.VX];
     }
 
-    private double impulse(int row, int column) {
-        return contacts.data[row * PackedContacts.STRIDE + column];
-    }
-
     /**
      * The uppermost of n boxes slides at v: its contact carries one momentum of 1 kg·m/s and rubs
      * by μ times it, the ones below carry 2 … n and hold, as long as μ·1 is no more than they may.
@@ -78,11 +74,11 @@ class NewtonSolverTest {
         island.motions.data[count * Motions.STRIDE + Motions.VX] = speed;
         assertThat(solve()).isTrue();
         for (int row = 0; row < count; row++) {
-            double load = impulse(row, PackedContacts.IMPULSE0);
+            double load = island.of(row, PackedContacts.IMPULSE0);
             assertThat(load).isCloseTo(count - row, within(GIVEN_WAY * count));
             // The tangent points to the left.
             double rubs = Math.signum(speed) * friction;
-            assertThat(impulse(row, PackedContacts.IMPULSE_T)).isCloseTo(rubs, within(GIVEN_WAY));
+            assertThat(island.of(row, PackedContacts.IMPULSE_T)).isCloseTo(rubs, within(GIVEN_WAY));
         }
         double left = Math.signum(speed) * (Math.abs(speed) - friction);
         assertThat(speedX(count)).isCloseTo(left, within(GIVEN_WAY));
@@ -96,9 +92,9 @@ class NewtonSolverTest {
         island.motions.data[Motions.STRIDE + Motions.VX] = 0.7;
         contacts.data[PackedContacts.STRIDE + PackedContacts.GAP0] = 2 * H;
         assertThat(solve()).isTrue();
-        assertThat(impulse(1, PackedContacts.IMPULSE0)).isZero();
+        assertThat(island.of(1, PackedContacts.IMPULSE0)).isZero();
         assertThat(island.motions.data[2 * Motions.STRIDE + Motions.VY]).isEqualTo(-1);
-        assertThat(impulse(0, PackedContacts.IMPULSE0)).isCloseTo(1, within(GIVEN_WAY));
+        assertThat(island.of(0, PackedContacts.IMPULSE0)).isCloseTo(1, within(GIVEN_WAY));
         assertThat(speedX(1)).isCloseTo(0.7 - 0.5, within(GIVEN_WAY));
     }
 
@@ -118,6 +114,6 @@ class NewtonSolverTest {
         order.find();
         assertThat(solve()).isFalse();
         assertThat(island.motions.data[Motions.STRIDE + Motions.VY]).isEqualTo(-1);
-        assertThat(impulse(0, PackedContacts.IMPULSE0)).isEqualTo(1);
+        assertThat(island.of(0, PackedContacts.IMPULSE0)).isEqualTo(1);
     }
 }

@@ -55,10 +55,6 @@ class RollingSolverTest {
         return row;
     }
 
-    private double of(int row, int column) {
-        return contacts.data[row * PackedContacts.STRIDE + column];
-    }
-
     private void load(SplittableRandom random, int row) {
         contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE0] = random.nextDouble();
         contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE1] = random.nextDouble();
@@ -82,10 +78,10 @@ class RollingSolverTest {
             dense.assertImpulsesTellAll(ROUND_OFF);
             double slides = dense.speed(row, DenseRows.TANGENT) - contacts.surface[row];
             double turns = dense.speed(row, DenseRows.ROLLING);
-            double tangent = of(row, PackedContacts.IMPULSE_T);
-            double roll = of(row, PackedContacts.IMPULSE_R);
+            double tangent = island.of(row, PackedContacts.IMPULSE_T);
+            double roll = island.of(row, PackedContacts.IMPULSE_R);
             double cone = pairs.friction[row] * load;
-            double bound = of(row, PackedContacts.ROLLING) * load;
+            double bound = island.of(row, PackedContacts.ROLLING) * load;
             assertThat(Math.abs(tangent)).isLessThanOrEqualTo(cone);
             assertThat(Math.abs(roll)).isLessThanOrEqualTo(bound);
             if (Math.abs(slides) < GIVEN_WAY && Math.abs(turns) < GIVEN_WAY) {
@@ -113,7 +109,8 @@ class RollingSolverTest {
             smooth.begin(0);
             load(random, row);
             double bound =
-                    of(row, PackedContacts.ROLLING) * (dense.impulses()[0] + dense.impulses()[1]);
+                    island.of(row, PackedContacts.ROLLING)
+                            * (dense.impulses()[0] + dense.impulses()[1]);
             double turned = dense.speed(row, DenseRows.ROLLING);
             double response = dense.response(row, DenseRows.ROLLING, row, DenseRows.ROLLING);
             dense.begin();
@@ -121,7 +118,7 @@ class RollingSolverTest {
             dense.assertImpulsesTellAll(ROUND_OFF);
             double left = Math.max(0, Math.abs(turned) - bound * response) * Math.signum(turned);
             assertThat(dense.speed(row, DenseRows.ROLLING)).isCloseTo(left, within(ROUND_OFF));
-            assertThat(of(row, PackedContacts.IMPULSE_T)).isZero();
+            assertThat(island.of(row, PackedContacts.IMPULSE_T)).isZero();
             held += left == 0 ? 1 : 0;
         }
         assertThat(held).isBetween(50, 450);
@@ -136,18 +133,19 @@ class RollingSolverTest {
         pairs.frictionForce[row] = 5;
         rolling.begin(0.1);
         assertThat(rolling.rowCount()).isEqualTo(2);
-        assertThat(of(row, PackedContacts.ROLLING)).isEqualTo(0.3);
-        assertThat(of(row, PackedContacts.IMPULSE_R)).isCloseTo(0.2, within(ROUND_OFF));
-        assertThat(of(row, PackedContacts.IMPULSE_T)).isCloseTo(0.5, within(ROUND_OFF));
+        assertThat(island.of(row, PackedContacts.ROLLING)).isEqualTo(0.3);
+        assertThat(island.of(row, PackedContacts.IMPULSE_R)).isCloseTo(0.2, within(ROUND_OFF));
+        assertThat(island.of(row, PackedContacts.IMPULSE_T)).isCloseTo(0.5, within(ROUND_OFF));
         double response = dense.response(row, DenseRows.ROLLING, row, DenseRows.ROLLING);
-        assertThat(of(row, PackedContacts.INERTIA_R)).isCloseTo(1 / response, within(ROUND_OFF));
+        assertThat(island.of(row, PackedContacts.INERTIA_R))
+                .isCloseTo(1 / response, within(ROUND_OFF));
         rolling.store(0.1);
         assertThat(pairs.rollingTorque[row]).isCloseTo(4, within(ROUND_OFF));
         assertThat(pairs.frictionForce[row]).isCloseTo(10, within(ROUND_OFF));
         contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TB] = 2;
         rolling.refresh();
         double slides = dense.response(row, DenseRows.TANGENT, row, DenseRows.TANGENT);
-        assertThat(of(row, PackedContacts.MASS_T)).isCloseTo(1 / slides, within(ROUND_OFF));
+        assertThat(island.of(row, PackedContacts.MASS_T)).isCloseTo(1 / slides, within(ROUND_OFF));
     }
 
     @Test
@@ -165,6 +163,6 @@ class RollingSolverTest {
         smooth.refresh();
         smooth.store(0.1);
         assertThat(smooth.rowCount()).isEqualTo(1);
-        assertThat(of(row, PackedContacts.INERTIA_R)).isZero();
+        assertThat(island.of(row, PackedContacts.INERTIA_R)).isZero();
     }
 }

@@ -38,40 +38,34 @@ class SweptContactTest {
                     true,
                     new SharedRows(null, contacts));
 
-    private double of(int row, int column) {
-        return contacts.data[row * PackedContacts.STRIDE + column];
-    }
-
-    private void set(int row, int column, double value) {
-        contacts.data[row * PackedContacts.STRIDE + column] = value;
-    }
-
     /** A contact with all that one can have, and impulses from before. */
     private int contact(SplittableRandom random, int a, int b) {
         int row = island.contact(random, a, b);
-        set(row, PackedContacts.GIVE, random.nextDouble(0.1));
+        island.set(row, PackedContacts.GIVE, random.nextDouble(0.1));
         island.writeMasses(row);
-        set(row, PackedContacts.FRICTION, random.nextDouble(2));
-        set(row, PackedContacts.GAP0, H * random.nextDouble(-0.5, 0.5));
-        set(row, PackedContacts.GAP1, H * random.nextDouble(-0.5, 0.5));
-        set(row, PackedContacts.NEARING, random.nextDouble(0.2));
-        set(row, PackedContacts.IMPULSE0, random.nextDouble(0.3));
-        set(row, PackedContacts.IMPULSE1, random.nextDouble(0.3));
-        set(row, PackedContacts.IMPULSE_T, random.nextDouble(-0.2, 0.2));
+        island.set(row, PackedContacts.FRICTION, random.nextDouble(2));
+        island.set(row, PackedContacts.GAP0, H * random.nextDouble(-0.5, 0.5));
+        island.set(row, PackedContacts.GAP1, H * random.nextDouble(-0.5, 0.5));
+        island.set(row, PackedContacts.NEARING, random.nextDouble(0.2));
+        island.set(row, PackedContacts.IMPULSE0, random.nextDouble(0.3));
+        island.set(row, PackedContacts.IMPULSE1, random.nextDouble(0.3));
+        island.set(row, PackedContacts.IMPULSE_T, random.nextDouble(-0.2, 0.2));
         contacts.surface[row] = random.nextDouble(-0.5, 0.5);
         return row;
     }
 
     /** w = v + gap/h − nearing + give·j of a point, which may close by its gap only. */
     private double rest(int row, int point) {
-        double gap = Math.max(0, of(row, PackedContacts.GAP0 + point));
-        double give = of(row, PackedContacts.GIVE) * of(row, PackedContacts.IMPULSE0 + point);
+        double gap = Math.max(0, island.of(row, PackedContacts.GAP0 + point));
+        double give =
+                island.of(row, PackedContacts.GIVE)
+                        * island.of(row, PackedContacts.IMPULSE0 + point);
         double speed = dense.speed(row, point);
-        return speed + gap / H - of(row, PackedContacts.NEARING) + give;
+        return speed + gap / H - island.of(row, PackedContacts.NEARING) + give;
     }
 
     private void assertPushes(int row, int point, double tolerance) {
-        double impulse = of(row, PackedContacts.IMPULSE0 + point);
+        double impulse = island.of(row, PackedContacts.IMPULSE0 + point);
         double rest = rest(row, point);
         assertThat(impulse).isNotNegative();
         assertThat(rest).isGreaterThan(-tolerance);
@@ -85,11 +79,14 @@ class SweptContactTest {
         for (int i = 0; i < 3_000; i++) {
             island.bodies(random, 2);
             int row = contact(random, i % 3 == 0 ? 0 : 1, 2);
-            double load = of(row, PackedContacts.IMPULSE0) + of(row, PackedContacts.IMPULSE1);
+            double load =
+                    island.of(row, PackedContacts.IMPULSE0)
+                            + island.of(row, PackedContacts.IMPULSE1);
             double slides = dense.speed(row, DenseRows.TANGENT) - contacts.surface[row];
             double wanted =
-                    of(row, PackedContacts.IMPULSE_T) - of(row, PackedContacts.MASS_T) * slides;
-            double cone = of(row, PackedContacts.FRICTION) * load;
+                    island.of(row, PackedContacts.IMPULSE_T)
+                            - island.of(row, PackedContacts.MASS_T) * slides;
+            double cone = island.of(row, PackedContacts.FRICTION) * load;
             double rubs = Math.max(-cone, Math.min(cone, wanted));
             dense.begin();
             sweep.run(H, H, 0, 0, 0, 0, 1);
@@ -97,7 +94,7 @@ class SweptContactTest {
             assertPushes(row, 0, ROUND_OFF);
             assertPushes(row, 1, ROUND_OFF);
             // The compliance of friction leaves 10⁻¹⁰ of it.
-            assertThat(of(row, PackedContacts.IMPULSE_T)).isCloseTo(rubs, within(1e-9));
+            assertThat(island.of(row, PackedContacts.IMPULSE_T)).isCloseTo(rubs, within(1e-9));
             assertThat(contacts.work.contactSolves).isEqualTo(i + 1);
         }
     }
@@ -109,13 +106,13 @@ class SweptContactTest {
             island.bodies(random, 2);
             int row = contact(random, 1, 2);
             contacts.points[row] = 1;
-            set(row, PackedContacts.IMPULSE1, 0);
-            set(row, PackedContacts.M00, 1 / of(row, PackedContacts.K00));
+            island.set(row, PackedContacts.IMPULSE1, 0);
+            island.set(row, PackedContacts.M00, 1 / island.of(row, PackedContacts.K00));
             dense.begin();
             sweep.run(H, H, 0, 0, 0, 0, 1);
             dense.assertImpulsesTellAll(ROUND_OFF);
             assertPushes(row, 0, ROUND_OFF);
-            assertThat(of(row, PackedContacts.IMPULSE1)).isZero();
+            assertThat(island.of(row, PackedContacts.IMPULSE1)).isZero();
         }
     }
 
@@ -134,15 +131,16 @@ class SweptContactTest {
         for (int i = 0; i < 1_000; i++) {
             island.bodies(random, 2);
             int row = contact(random, 1, 2);
-            set(row, PackedContacts.FRICTION, 0);
-            set(row, PackedContacts.IMPULSE_T, 0);
-            double old0 = of(row, PackedContacts.IMPULSE0);
-            double first = old0 - rest(row, 0) / of(row, PackedContacts.K00);
+            island.set(row, PackedContacts.FRICTION, 0);
+            island.set(row, PackedContacts.IMPULSE_T, 0);
+            double old0 = island.of(row, PackedContacts.IMPULSE0);
+            double first = old0 - rest(row, 0) / island.of(row, PackedContacts.K00);
             dense.begin();
             inTurn.run(H, H, 0, 0, 0, 0, 1);
             dense.assertImpulsesTellAll(ROUND_OFF);
             double expected = Math.max(0, first);
-            assertThat(of(row, PackedContacts.IMPULSE0)).isCloseTo(expected, within(ROUND_OFF));
+            assertThat(island.of(row, PackedContacts.IMPULSE0))
+                    .isCloseTo(expected, within(ROUND_OFF));
             assertPushes(row, 1, ROUND_OFF);
         }
     }
@@ -164,9 +162,9 @@ class SweptContactTest {
             for (int row = 0; row < contacts.count; row++) {
                 // Small enough for friction not to let loads grow without end; and through the
                 // centres, since the friction of a contact is solved before its load.
-                set(row, PackedContacts.FRICTION, random.nextDouble(0.2));
-                set(row, PackedContacts.LEVER_TA, 0);
-                set(row, PackedContacts.LEVER_TB, 0);
+                island.set(row, PackedContacts.FRICTION, random.nextDouble(0.2));
+                island.set(row, PackedContacts.LEVER_TA, 0);
+                island.set(row, PackedContacts.LEVER_TB, 0);
                 island.writeMasses(row);
             }
             dense.begin();
@@ -182,9 +180,10 @@ class SweptContactTest {
         double tolerance = 1e-8;
         assertPushes(row, 0, tolerance);
         assertPushes(row, 1, tolerance);
-        double load = of(row, PackedContacts.IMPULSE0) + of(row, PackedContacts.IMPULSE1);
-        double cone = of(row, PackedContacts.FRICTION) * load;
-        double rubs = of(row, PackedContacts.IMPULSE_T);
+        double load =
+                island.of(row, PackedContacts.IMPULSE0) + island.of(row, PackedContacts.IMPULSE1);
+        double cone = island.of(row, PackedContacts.FRICTION) * load;
+        double rubs = island.of(row, PackedContacts.IMPULSE_T);
         double slides = dense.speed(row, DenseRows.TANGENT) - contacts.surface[row];
         assertThat(Math.abs(rubs)).isLessThan(cone + tolerance);
         boolean holds = Math.abs(slides) < tolerance;
@@ -202,14 +201,16 @@ class SweptContactTest {
             int driven = 1 + i % 2;
             island.body(driven, 0, 0);
             int row = contact(random, 1, 2);
-            set(row, PackedContacts.FRICTION, 0);
-            set(row, PackedContacts.IMPULSE_T, 0);
+            island.set(row, PackedContacts.FRICTION, 0);
+            island.set(row, PackedContacts.IMPULSE_T, 0);
             island.writeMasses(row);
             double[] before = contacts.data.clone();
             double[] moving = motions.data.clone();
             sweep.run(H, H, 0, 0, 0, 0, 1);
-            double free = of(row, PackedContacts.IMPULSE0) + of(row, PackedContacts.IMPULSE1);
-            double first = of(row, PackedContacts.IMPULSE0);
+            double free =
+                    island.of(row, PackedContacts.IMPULSE0)
+                            + island.of(row, PackedContacts.IMPULSE1);
+            double first = island.of(row, PackedContacts.IMPULSE0);
             System.arraycopy(before, 0, contacts.data, 0, before.length);
             System.arraycopy(moving, 0, motions.data, 0, moving.length);
             sweep.limitPresses(0.3);
@@ -219,9 +220,9 @@ class SweptContactTest {
             dense.assertImpulsesTellAll(ROUND_OFF);
             double share = Math.min(1, 0.3 / free);
             bounded += share < 1 ? 1 : 0;
-            assertThat(of(row, PackedContacts.IMPULSE0))
+            assertThat(island.of(row, PackedContacts.IMPULSE0))
                     .isCloseTo(share * first, within(ROUND_OFF));
-            assertThat(of(row, PackedContacts.IMPULSE1))
+            assertThat(island.of(row, PackedContacts.IMPULSE1))
                     .isCloseTo(share * (free - first), within(ROUND_OFF));
         }
         assertThat(bounded).isBetween(100, 450);
@@ -233,7 +234,7 @@ class SweptContactTest {
         SplittableRandom random = new SplittableRandom(5);
         island.bodies(random, 2);
         int row = contact(random, 1, 2);
-        set(row, PackedContacts.IMPULSE0, 0.3);
+        island.set(row, PackedContacts.IMPULSE0, 0.3);
         sweep.limitPresses(1e-9);
         dense.begin();
         sweep.run(H, H, 0, 0, 0, 0, 1);
@@ -247,14 +248,14 @@ class SweptContactTest {
         island.begin(1);
         island.body(1, 1, 1);
         int row = island.onGround(1, 0.5, 0.5);
-        set(row, PackedContacts.WIDTH, 2);
+        island.set(row, PackedContacts.WIDTH, 2);
         sweep.run(H, H, 0, 0, 0, 0, 0);
         motions.data[Motions.STRIDE + Motions.VY] = -1;
         assertThat(sweep.isSinking(H, 0, 0.49 * H)).isTrue();
         assertThat(sweep.isSinking(H, 0, 0.51 * H)).isFalse();
         assertThat(sweep.isSinking(2 * H, 0, 0.99 * H)).isTrue();
-        set(row, PackedContacts.GAP0, 0.5 * H);
-        set(row, PackedContacts.GAP1, 0.5 * H);
+        island.set(row, PackedContacts.GAP0, 0.5 * H);
+        island.set(row, PackedContacts.GAP1, 0.5 * H);
         sweep.run(H, H, 0, 0, 0, 0, 0);
         assertThat(sweep.isSinking(H, 0, 0.26 * H)).isFalse();
         assertThat(sweep.isSinking(H, 0, 0.24 * H)).isTrue();
@@ -300,8 +301,8 @@ class SweptContactTest {
                 double j0 = after[0] - before[0];
                 double j1 = after[1] - before[1];
                 double jt = after[2] - before[2];
-                double turn = of(row, first) * j0 + of(row, first + 2) * j1;
-                turn += of(row, tangent) * jt;
+                double turn = island.of(row, first) * j0 + island.of(row, first + 2) * j1;
+                turn += island.of(row, tangent) * jt;
                 int at = entry * Motions.STRIDE;
                 double change =
                         motions.data[at + Motions.INVERSE_MASS] * (Math.abs(j0 + j1) + Math.abs(jt))

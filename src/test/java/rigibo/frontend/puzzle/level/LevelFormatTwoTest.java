@@ -14,7 +14,6 @@ import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
-import rigibo.frontend.document.Problem;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.Item;
 import rigibo.frontend.editor.draft.Point;
@@ -50,11 +49,6 @@ class LevelFormatTwoTest {
 
     private static LevelBody thing(String text) {
         return LevelTexts.level(text).bodies().get(1);
-    }
-
-    private static List<String> problems(String text) {
-        return new LevelLoader()
-                .parse("a.json", text).problems().stream().map(Problem::toString).toList();
     }
 
     @Test
@@ -155,16 +149,18 @@ class LevelFormatTwoTest {
                         + " missing",
             })
     void whatIsWrongWithAShapeIsToldWhereItStands(String shape, String expected) {
-        assertThat(problems(shaped(shape.replace('\'', '"')))).contains(expected);
+        assertThat(LevelTexts.problems(shaped(shape.replace('\'', '"')))).contains(expected);
     }
 
     @Test
     void aPathCannotMoveWhatForcesMoveNorLeadNowhere() {
-        assertThat(problems(with(LIFT.replace("\"path\"", "\"dynamic\": true, \"path\""))))
+        assertThat(
+                        LevelTexts.problems(
+                                with(LIFT.replace("\"path\"", "\"dynamic\": true, \"path\""))))
                 .containsExactly(
                         "a.json:16:17: /bodies/1/dynamic: E116 a body with a path is driven and"
                                 + " cannot be dynamic");
-        assertThat(problems(with(LIFT.replace("[7, 3]", "[8, 3]"))))
+        assertThat(LevelTexts.problems(with(LIFT.replace("[7, 3]", "[8, 3]"))))
                 .containsExactly(
                         "a.json:16:34: /bodies/1/path/points/1: E117 a way of 0.0000 m, at least"
                                 + " 0.01: it is where the body comes from");
@@ -173,13 +169,13 @@ class LevelFormatTwoTest {
     @Test
     void whatCameWithFormatTwoIsRefusedInAFileOfFormatOne() {
         String old = with(LIFT).replace("\"format\": 2", "\"format\": 1");
-        assertThat(problems(old))
+        assertThat(LevelTexts.problems(old))
                 .containsExactly(
                         "a.json:16:14: /bodies/1/path: E103 \"path\" needs format 2, this file"
                                 + " states 1");
         String round = "{\"type\": \"box\", \"w\": 1, \"h\": 1, \"round\": 0.1}";
         for (String shape : List.of("{\"type\": \"capsule\", \"length\": 1, \"r\": 0.2}", round)) {
-            assertThat(problems(shaped(shape).replace("\"format\": 2", "\"format\": 1")))
+            assertThat(LevelTexts.problems(shaped(shape).replace("\"format\": 2", "\"format\": 1")))
                     .singleElement()
                     .asString()
                     .contains("E103");
@@ -204,11 +200,11 @@ class LevelFormatTwoTest {
 
     @Test
     void aChainThatCannotBeIsToldWithItsReason() {
-        assertThat(problems(with(FLOOR.replace("[0, 0]]", "[1, 0.5]]"))))
+        assertThat(LevelTexts.problems(with(FLOOR.replace("[0, 0]]", "[1, 0.5]]"))))
                 .singleElement()
                 .asString()
                 .startsWith("a.json:15:57: /bodies/1/shape/points: E113 no landscape: ");
-        assertThat(problems(with(FLOOR.replace(", \"dynamic\": false", ""))))
+        assertThat(LevelTexts.problems(with(FLOOR.replace(", \"dynamic\": false", ""))))
                 .containsExactly(
                         "a.json:15:5: /bodies/1: E115 a chain has no mass: state \"dynamic\":"
                                 + " false, or a path");

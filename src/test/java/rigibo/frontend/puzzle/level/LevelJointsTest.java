@@ -11,7 +11,6 @@ import rigibo.backend.Joint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.JointKind;
-import rigibo.frontend.document.Problem;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.puzzle.rules.ClickResult;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
@@ -53,11 +52,6 @@ class LevelJointsTest {
         }
         """
                 .replace("JOINTS", joints);
-    }
-
-    private static List<String> problems(String text) {
-        return new LevelLoader()
-                .parse("a.json", text).problems().stream().map(Problem::toString).toList();
     }
 
     private static final String HINGE =
@@ -140,25 +134,27 @@ class LevelJointsTest {
             })
     void whatCannotBeIsToldWhereItStands(String text, String pointer, String words) {
         // The bar overlaps its post, which only who are joined may.
-        List<String> problems = problems(hanging(text.replace('\'', '"')));
+        List<String> problems = LevelTexts.problems(hanging(text.replace('\'', '"')));
         assertThat(problems)
                 .anyMatch(told -> told.contains(pointer + ": ") && told.contains(words));
     }
 
     @Test
     void whoAreJoinedMayOverlapAtTheStart() {
-        assertThat(problems(hanging(HINGE + ",\n" + ROPE))).isEmpty();
-        assertThat(problems(hanging(ROPE))).hasSize(1).allMatch(told -> told.contains("E120"));
+        assertThat(LevelTexts.problems(hanging(HINGE + ",\n" + ROPE))).isEmpty();
+        assertThat(LevelTexts.problems(hanging(ROPE)))
+                .hasSize(1)
+                .allMatch(told -> told.contains("E120"));
     }
 
     @Test
     void jointsNeedTheirEffectAndFormatTwo() {
-        assertThat(problems(hanging(HINGE).replace(", \"joints\"]", "]")))
+        assertThat(LevelTexts.problems(hanging(HINGE).replace(", \"joints\"]", "]")))
                 .anyMatch(told -> told.contains("E119"));
-        assertThat(problems(hanging(HINGE).replace("\"format\": 2", "\"format\": 1")))
+        assertThat(LevelTexts.problems(hanging(HINGE).replace("\"format\": 2", "\"format\": 1")))
                 .filteredOn(told -> told.contains("E103"))
                 .hasSize(2);
-        assertThat(problems(hanging("")))
+        assertThat(LevelTexts.problems(hanging("")))
                 .anyMatch(told -> told.contains("E140") && told.contains("joints"));
     }
 

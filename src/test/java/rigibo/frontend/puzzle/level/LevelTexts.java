@@ -1,5 +1,9 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.frontend.document.Problem;
+
+import java.util.List;
+
 /** A small sound level whose lines the tests break one at a time. */
 public final class LevelTexts {
 
@@ -30,6 +34,12 @@ public final class LevelTexts {
             """;
 
     private LevelTexts() {}
+
+    /** What is wrong with the text of a level, a line each. */
+    static List<String> problems(String text) {
+        return new LevelLoader()
+                .parse("a.json", text).problems().stream().map(Problem::toString).toList();
+    }
 
     /** The sound level with some of its text replaced. */
     public static String with(String part, String replacement) {

@@ -6,18 +6,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import rigibo.frontend.document.Problem;
-
-import java.util.List;
 import java.util.regex.Pattern;
 
 /** What a level file says of clicks that it cannot mean. */
 class VerbErrorsTest {
-
-    private static List<String> problems(String text) {
-        return new LevelLoader()
-                .parse("a.json", text).problems().stream().map(Problem::toString).toList();
-    }
 
     @ParameterizedTest
     @CsvSource(
@@ -34,7 +26,8 @@ class VerbErrorsTest {
                         part.replace('\'', '"').strip() + (part.endsWith(" ") ? " " : ""),
                         replacement == null ? "" : replacement.replace('\'', '"'));
         assertThat(text).isNotEqualTo(VerbLevels.ROPE);
-        assertThat(problems(text)).anyMatch(line -> line.contains(told.replace('\'', '"')));
+        assertThat(LevelTexts.problems(text))
+                .anyMatch(line -> line.contains(told.replace('\'', '"')));
     }
 
     @ParameterizedTest
@@ -56,7 +49,8 @@ class VerbErrorsTest {
                         part.replace('\'', '"').strip(),
                         replacement == null ? "" : replacement.replace('\'', '"'));
         assertThat(text).isNotEqualTo(VerbLevels.MACHINES);
-        assertThat(problems(text)).anyMatch(line -> line.contains(told.replace('\'', '"')));
+        assertThat(LevelTexts.problems(text))
+                .anyMatch(line -> line.contains(told.replace('\'', '"')));
     }
 
     @ParameterizedTest
@@ -75,12 +69,15 @@ class VerbErrorsTest {
                         Pattern.quote(part.replace('\'', '"').strip()),
                         replacement.replace('\'', '"'));
         assertThat(text).isNotEqualTo(VerbLevels.SOURCES);
-        assertThat(problems(text)).anyMatch(line -> line.contains(told.replace('\'', '"')));
+        assertThat(LevelTexts.problems(text))
+                .anyMatch(line -> line.contains(told.replace('\'', '"')));
     }
 
     @Test
     void machinesNeedFormatTwo() {
-        assertThat(problems(VerbLevels.MACHINES.replace("\"format\": 2", "\"format\": 1")))
+        assertThat(
+                        LevelTexts.problems(
+                                VerbLevels.MACHINES.replace("\"format\": 2", "\"format\": 1")))
                 .anyMatch(line -> line.contains("E103 \"click\" needs format 2"))
                 .anyMatch(line -> line.contains("E103 \"blast\" needs format 2"));
     }
@@ -105,14 +102,16 @@ class VerbErrorsTest {
 
     @Test
     void aSolutionNamesBodiesAndJointsEachByTheirKind() {
-        assertThat(problems(solved("{\"t\": 1, \"joint\": \"line\"}"))).isEmpty();
-        assertThat(problems(solved("{\"t\": 1, \"joint\": \"hook\"}")))
+        assertThat(LevelTexts.problems(solved("{\"t\": 1, \"joint\": \"line\"}"))).isEmpty();
+        assertThat(LevelTexts.problems(solved("{\"t\": 1, \"joint\": \"hook\"}")))
                 .anyMatch(line -> line.contains("E102 no joint has the id \"hook\""));
-        assertThat(problems(solved("{\"t\": 1, \"body\": \"line\"}")))
+        assertThat(LevelTexts.problems(solved("{\"t\": 1, \"body\": \"line\"}")))
                 .anyMatch(line -> line.contains("E102 no body has the id \"line\""));
-        assertThat(problems(solved("{\"t\": 1}")))
+        assertThat(LevelTexts.problems(solved("{\"t\": 1}")))
                 .anyMatch(line -> line.contains("\"body\" is missing"));
-        assertThat(problems(solved("{\"t\": 1, \"body\": \"hook\", \"joint\": \"line\"}")))
+        assertThat(
+                        LevelTexts.problems(
+                                solved("{\"t\": 1, \"body\": \"hook\", \"joint\": \"line\"}")))
                 .isNotEmpty();
     }
 
