@@ -229,8 +229,13 @@ final class BenchCommand implements Callable<Integer> {
 
     private List<String> study() throws IOException {
         Inquiry inquiry = new Inquiry(chosenScenes(), chosenEngines(), rounds, out);
-        return new BenchStudy(inquiry, BenchProcess.class, environment())
-                .make(Optional.ofNullable(csv), Optional.ofNullable(page), this::tell);
+        return BenchStudy.make(
+                inquiry,
+                BenchProcess.class,
+                environment(),
+                Optional.ofNullable(csv),
+                Optional.ofNullable(page),
+                this::tell);
     }
 
     /** The scenes that were named, or all. */

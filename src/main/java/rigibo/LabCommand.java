@@ -127,11 +127,11 @@ final class LabCommand implements Callable<Integer> {
     private List<String> make(Figures one) throws IOException {
         return switch (one) {
             case ACCURACY ->
-                    new PrecisionStudy(inquiry(), environment(), this::tell)
-                            .make(Optional.ofNullable(page));
+                    PrecisionStudy.make(
+                            inquiry(), environment(), Optional.ofNullable(page), this::tell);
             case EFFECTS ->
-                    new EffectsReport(question(), provenance(), this::tell)
-                            .make(Optional.ofNullable(page));
+                    EffectsReport.make(
+                            question(), provenance(), Optional.ofNullable(page), this::tell);
         };
     }
 

@@ -185,9 +185,7 @@ final class RustWorld implements World {
         return Calls.spin(world, body);
     }
 
-    /**
-     * The library always keeps impulses; reading without having watched is a mistake nonetheless.
-     */
+    /** Allows reading; the library keeps impulses in any case. */
     @Override
     public void watchImpulses() {
         isWatched = true;

@@ -60,9 +60,7 @@ final class MarkdownTables {
         return isSo ? "yes" : "**no**";
     }
 
-    /**
-     * A row for each scene: the work of its counted steps, and the sizes of a body and a contact.
-     */
+    /** A row for each scene: its counted work, and the sizes of a body and a contact. */
     List<String> work() {
         List<String> lines = new ArrayList<>();
         lines.add(

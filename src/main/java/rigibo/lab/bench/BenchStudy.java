@@ -6,6 +6,7 @@ import rigibo.lab.bench.probe.Sample;
 import rigibo.lab.child.Fields;
 import rigibo.lab.child.Kept;
 import rigibo.lab.child.MeasuringJava;
+import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.MeasuredClasses;
 import rigibo.lab.engine.World;
 import rigibo.lab.precision.Environment;
@@ -25,54 +26,37 @@ public final class BenchStudy {
 
     private static final String LOG = "runs.log";
 
-    /**
-     * Room for 22,000 bodies of an engine that makes an object of each, and for the garbage of a
-     * step.
-     */
+    /** Room for 22,000 bodies that are objects, and for the garbage of a step, MB. */
     private static final int HEAP_MEGABYTES = 1024;
 
-    private final Inquiry inquiry;
-    private final Class<?> process;
-    private final Kept kept;
-    private final MeasuringJava java = MeasuringJava.onLastCore(HEAP_MEGABYTES);
-    private final Environment environment;
-
-    /**
-     * A study.
-     *
-     * @param process main class of the processes that measure; it is told the names of a scene and
-     *     of an engine, and a pace in its own words
-     * @param environment of the runs; how processes are started is added to its flags
-     */
-    public BenchStudy(Inquiry inquiry, Class<?> process, Environment environment) {
-        this.inquiry = inquiry;
-        this.environment = environment;
-        this.process = process;
-        String key =
-                MeasuredClasses.key(
-                        inquiry.engines(),
-                        Pool.class,
-                        World.class,
-                        Outline.class,
-                        BenchProbe.class);
-        kept = new Kept(inquiry.out().resolve(LOG), key);
-    }
+    private BenchStudy() {}
 
     /**
      * Makes the runs that are missing.
      *
-     * @param table to which every run is written, if one is
-     * @param page whose measured part is written anew, if one is
+     * @param process main class of the processes that measure; its arguments are the names of a
+     *     scene and of an engine, and a pace
+     * @param environment of the runs; how processes are started is added to its flags
+     * @param table to which every run is written, if there is one
+     * @param page whose measured part is written anew, if there is one
      * @param tell is told how far the runs are
-     * @return what was found, for a terminal
+     * @return the report, for a terminal
      * @throws IllegalStateException when a run breaks off
      * @throws IOException when something cannot be written
      */
-    public List<String> make(Optional<Path> table, Optional<Path> page, Consumer<String> tell)
+    public static List<String> make(
+            Inquiry inquiry,
+            Class<?> process,
+            Environment environment,
+            Optional<Path> table,
+            Optional<Path> page,
+            Consumer<String> tell)
             throws IOException {
+        MeasuringJava java = MeasuringJava.onLastCore(HEAP_MEGABYTES);
+        Kept kept = new Kept(inquiry.out().resolve(LOG), key(inquiry.engines()));
         List<Task> tasks = inquiry.tasks();
-        kept.make(tasks, Task::name, this::run, tell);
-        Results results = new Results(tasks.stream().map(this::found).toList());
+        kept.make(tasks, Task::name, task -> run(java, process, task), tell);
+        Results results = new Results(tasks.stream().map(task -> found(kept, task)).toList());
         Report report = BenchReport.of(inquiry, results);
         if (table.isPresent()) {
             Files.write(table.get(), BenchCsv.lines(results.runs()));
@@ -84,7 +68,12 @@ public final class BenchStudy {
         return report.text();
     }
 
-    private String run(Task task) {
+    private static String key(List<Engine> engines) {
+        return MeasuredClasses.key(
+                engines, Pool.class, World.class, Outline.class, BenchProbe.class);
+    }
+
+    private static String run(MeasuringJava java, Class<?> process, Task task) {
         try {
             return java.run(process, task.arguments(), BenchProbe.MARK);
         } catch (IllegalStateException broken) {
@@ -94,7 +83,7 @@ public final class BenchStudy {
         }
     }
 
-    private Run found(Task task) {
+    private static Run found(Kept kept, Task task) {
         Sample sample = Fields.parse(Sample.class, kept.of(task.name()).orElseThrow());
         return new Run(task.scene().name(), task.engine(), task.round(), sample);
     }

@@ -110,10 +110,7 @@ final class SceneSection {
         return String.format(Locale.ROOT, "%.3f", value);
     }
 
-    /**
-     * The work of our engine, how even its steps are and what they allocate; empty if it was not
-     * run.
-     */
+    /** The work, evenness and allocation of our steps; empty if it was not run. */
     private List<String> sentences() {
         List<Sample> ours = results.samples(scene.name(), RigiBoEngine.NAME);
         if (ours.isEmpty()) {

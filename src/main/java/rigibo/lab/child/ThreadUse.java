@@ -11,10 +11,7 @@ public final class ThreadUse {
 
     private ThreadUse() {}
 
-    /**
-     * Processor time in ns, or wall-clock time if the system does not report it. The call may
-     * allocate.
-     */
+    /** Processor time in ns, or wall-clock time if that is unknown. The call may allocate. */
     public static long nanos() {
         return THREADS.isCurrentThreadCpuTimeSupported()
                 ? THREADS.getCurrentThreadCpuTime()

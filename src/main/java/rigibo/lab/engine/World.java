@@ -16,17 +16,13 @@ public interface World extends AutoCloseable {
      */
     void join(Link link);
 
-    /**
-     * Removes a body. No other method may be called with its number again; the others keep theirs.
-     */
+    /** Removes a body. Its number must not be used again; the others keep theirs. */
     void remove(int body);
 
     /** Makes a step of a length in s. */
     void step(double seconds);
 
-    /**
-     * Applies a force in N, to the right and up, to a body's centre of mass during the next step.
-     */
+    /** Applies a force in N, right and up, to a centre of mass during the next step. */
     void push(int body, double forceX, double forceY);
 
     /**

@@ -41,10 +41,7 @@ record CalmWithoutDamping(Avalanche avalanche) implements Scenes {
         }
     }
 
-    /**
-     * Compares two means; reports the standard error of their difference, too, which is due to
-     * chaos.
-     */
+    /** Compares two means; reports the standard error of their difference, too. */
     private static void compare(
             Trial trial,
             String name,

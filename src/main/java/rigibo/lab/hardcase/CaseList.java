@@ -28,9 +28,7 @@ final class CaseList {
         return fromGame(row, title, scenes);
     }
 
-    /**
-     * Adds a case of bodies that turn on a corner, for which DRAFT's single substep is too coarse.
-     */
+    /** Adds a case of bodies that turn on a corner, too coarse for DRAFT's single substep. */
     CaseList ofCorners(String row, String title, Scenes scenes) {
         return fromGame(row, title, scenes);
     }

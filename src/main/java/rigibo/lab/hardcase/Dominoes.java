@@ -53,9 +53,7 @@ final class Dominoes {
         trial.measure("fastest in the end", pool.fastest(), "m/s", 1e-3);
     }
 
-    /**
-     * Whether a domino falls that turns about its lower right edge, which is at rest: v = ω × r.
-     */
+    /** Whether a domino falls that turns about its lower right edge, at rest: v = ω × r. */
     private static boolean falls(Trial trial, double spin) {
         WatchedPool pool = trial.ground(0.9, 0);
         RigidBody domino =
@@ -95,9 +93,7 @@ final class Dominoes {
         trial.report("speed of the wave", 1 / mean, "m/s");
     }
 
-    /**
-     * Times at which the dominoes' centres pass over their edges, interpolated between steps, s.
-     */
+    /** Times at which the dominoes' centres pass over their edges, between steps, s. */
     private static double[] times(WatchedPool pool, List<RigidBody> dominoes) {
         double edge = -Math.atan(WIDTH);
         double[] times = new double[WAVE];

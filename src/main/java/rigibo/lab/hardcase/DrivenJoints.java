@@ -191,10 +191,7 @@ final class DrivenJoints {
         trial.measure("load that breaks it", Math.abs(share - 1), "of F", BREAK);
     }
 
-    /**
-     * Strikes a bob that hangs still: the blow J and the weight of that step act on the joint at
-     * once.
-     */
+    /** Strikes a bob that hangs still: the blow and the weight act on the joint at once. */
     private static void strike(Trial trial, int kind, double mass, double force) {
         double margin = BREAK.of(trial.preset());
         for (int side = -1; side <= 1; side += 2) {

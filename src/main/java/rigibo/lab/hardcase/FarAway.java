@@ -37,10 +37,7 @@ final class FarAway implements Scenes {
         }
     }
 
-    /**
-     * One run: the path of every body relative to the origin, and the step in which all were
-     * asleep.
-     */
+    /** One run: all paths relative to the origin, and the step in which all were asleep. */
     private static final class Settling {
         final List<Double> path = new ArrayList<>();
         int asleepAt = -1;

@@ -150,9 +150,7 @@ final class HangingChains {
         }
     }
 
-    /**
-     * Thirty links in a straight line, with a bob at the end whose mass is a multiple of a link's.
-     */
+    /** Thirty links in a straight line, with a bob at the end, some times as heavy as a link. */
     private static void hang(Trial trial, double length, double ratio, double angle) {
         int links = 30;
         WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();

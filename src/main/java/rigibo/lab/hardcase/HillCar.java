@@ -106,10 +106,7 @@ final class HillCar {
             return parts.stream().mapToDouble(RigidBody::mass).sum() * Trial.GRAVITY;
         }
 
-        /**
-         * The load of the rear wheel, N, by moments of all weights about the foot of the front
-         * wheel.
-         */
+        /** The load of the rear wheel, N, by moments about the foot of the front wheel. */
         double rearLoad(double angle) {
             double standX = front().x() + RADIUS * Math.sin(angle);
             double standing = Math.hypot(front().x() - back().x(), front().y() - back().y());

@@ -34,10 +34,7 @@ final class JointLaws {
     private static final int LINKS = 6;
     private static final double HORIZON = 2;
 
-    /**
-     * The difference that is allowed: orders and frames change only the rounding of sums, which a
-     * chain amplifies.
-     */
+    /** The difference allowed: orders and frames change only rounding, which a chain amplifies. */
     private static final double ROUND_OFF = 1e-6;
 
     private JointLaws() {}
@@ -178,10 +175,7 @@ final class JointLaws {
         return chain.places(again.bodies(), again.time());
     }
 
-    /**
-     * Welds, gears, cuts and changes kinds of joints while it swings: joints hold, no energy is
-     * gained.
-     */
+    /** Welds, gears and cuts joints while it swings: joints hold, no energy is gained. */
     private static void edit(Trial trial, Chain chain) {
         WatchedPool pool = chain.pool(trial);
         List<RigidBody> links = chain.build(pool);

@@ -15,28 +15,19 @@ public final class Margins {
 
     private static final String LOG = "cases.log";
 
-    private final Cases cases;
-    private final Kept kept;
-
-    private Margins(Cases cases, Kept kept) {
-        this.cases = cases;
-        this.kept = kept;
-    }
-
-    /** The margins of some cases, logged in a directory. */
-    public static Margins of(Cases cases, Path directory) {
-        String engine = ClassFiles.of(Pool.class).hash();
-        String key = engine + "-" + ClassFiles.of(HardCase.class).hash();
-        return new Margins(cases, new Kept(directory.resolve(LOG), key));
-    }
+    private Margins() {}
 
     /**
-     * Runs what is missing.
+     * Runs the cases whose margins are missing.
      *
+     * @param directory of the log
      * @param tell is told how far it is
-     * @return of all runs, in the order of the list
+     * @return the margins of all runs, in the order of the list
      */
-    public List<Margin> find(Consumer<String> tell) {
+    public static List<Margin> of(Cases cases, Path directory, Consumer<String> tell) {
+        String engine = ClassFiles.of(Pool.class).hash();
+        String key = engine + "-" + ClassFiles.of(HardCase.class).hash();
+        Kept kept = new Kept(directory.resolve(LOG), key);
         Cases missing = cases.without(name -> kept.of(name).isPresent());
         Progress progress = new Progress(missing.count(), tell);
         missing.run(

@@ -18,10 +18,7 @@ public record Measure(String name, double figure, double limit, String unit, Str
         return figure <= limit;
     }
 
-    /**
-     * The limit over the figure: at least 1 if it passes, infinite if the figure is 0 or has no
-     * limit.
-     */
+    /** The limit over the figure; infinite if the figure is 0 or has no limit. */
     public double margin() {
         if (Double.isNaN(figure)) {
             return 0;

@@ -19,10 +19,7 @@ final class Overlap {
     private final Map<Outline, RigidBody> bodyOf = new IdentityHashMap<>();
     private OutlineSweep sweep = sweep();
 
-    /**
-     * The deepest overlap of all pairs, as a share of the smaller of the two widths; 0 if there is
-     * none.
-     */
+    /** The deepest overlap of all pairs, in widths of the smaller body; 0 if there is none. */
     double deepestShare(List<RigidBody> bodies) {
         if (!isKnown(bodies)) {
             learn(bodies);

@@ -62,10 +62,7 @@ final class RockingBlock implements Scenes {
         }
     }
 
-    /**
-     * Steps until the block leans to the other side; returns the energies before and after its
-     * impact.
-     */
+    /** Steps until the block leans the other way; returns the energies about the impact. */
     private static double[] swing(WatchedPool pool, RigidBody block, double height) {
         double sign = Math.signum(block.angle());
         double before = energy(block, height);

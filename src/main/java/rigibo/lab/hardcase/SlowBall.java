@@ -13,9 +13,7 @@ final class SlowBall implements Scenes {
     private static final double RADIUS = 0.1;
     private static final int BOUNCES = 1000;
 
-    /**
-     * Speeds in m/s and the free way between the walls in m: a bounce takes three steps or more.
-     */
+    /** Speeds in m/s and free widths in m: a bounce takes three steps or more. */
     private static final double[][] SPEEDS = {{1e-3, 2e-3}, {1e-2, 2e-3}, {0.1, 1e-2}, {1, 0.05}};
 
     @Override

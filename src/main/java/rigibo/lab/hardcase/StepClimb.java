@@ -19,10 +19,7 @@ final class StepClimb implements Scenes {
     private static final double FRICTION = 2;
     private static final double PATIENCE = 5;
 
-    /**
-     * Distance from the least speed that climbs, as a share of it, within which either outcome is
-     * right.
-     */
+    /** Distance from the least climbing speed within which either outcome is right. */
     private static final Limits UNDECIDED = new Limits(0.02, 0.02, 0.005);
 
     /** A share of the least speed that surely climbs, and at which the disc stays on the corner. */

@@ -20,10 +20,7 @@ final class Swings {
 
     private static final List<Double> DEGREES = List.of(5.0, 90.0, 175.0);
 
-    /**
-     * Limits of the energy's error, as a share of the swing's energy; the mean may drift by a tenth
-     * of them.
-     */
+    /** Limits of the energy's error, as a share of it; the mean may drift by a tenth. */
     private static final Limits ENERGY = Limits.of(1e-3, 1e-6);
 
     private static final Limits TREND = Limits.of(1e-4, 1e-7);
@@ -35,10 +32,7 @@ final class Swings {
     /** What an observed order may lack to 2, due to terms of the next order. */
     private static final double ORDER_LACKING = 0.1;
 
-    /**
-     * Steps per second, from a quarter of the game's on, so that errors are visible; the last one
-     * serves as truth.
-     */
+    /** Steps per second, from a quarter of the game's on; the last one serves as truth. */
     private static final int[] STEPS_PER_SECOND = {15, 30, 60, 16 * 60};
 
     private Swings() {}

@@ -30,10 +30,7 @@ public final class Trial {
     /** The error of momentum that is allowed, as a share of the sum of all momenta. */
     private static final double MOST_MOMENTUM_LOST = 1e-9;
 
-    /**
-     * The round-off allowed for energies that change from height to motion and back, as a share of
-     * them.
-     */
+    /** The round-off allowed for energies that become motion and back, as a share. */
     private static final double MOST_ENERGY_BEYOND = 1e-9;
 
     /** A prime factor, so that the order of hashes matters. */
@@ -98,9 +95,7 @@ public final class Trial {
         return new WatchedPool(this, variant, effects);
     }
 
-    /**
-     * A pool with gravity and without sleep, since a scene that rests only asleep does not rest.
-     */
+    /** A pool with gravity and without sleep: a scene that rests only asleep does not rest. */
     WatchedPool earth() {
         return pool(Earth.effects());
     }

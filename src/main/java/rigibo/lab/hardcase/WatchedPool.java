@@ -130,9 +130,7 @@ final class WatchedPool {
         return pool.joints().stream().mapToDouble(Joint::energy).sum();
     }
 
-    /**
-     * Turns the checks of overlap and energy off, for scenes that begin in overlap or are crushed.
-     */
+    /** Turns the checks of overlap and energy off, for scenes in overlap or crushed. */
     WatchedPool allowingOverlap() {
         mayOverlap = true;
         isEnergyKept = false;
@@ -219,10 +217,7 @@ final class WatchedPool {
         return allocated;
     }
 
-    /**
-     * The deepest present overlap as a share of the smaller body's width, measured without the
-     * engine.
-     */
+    /** The deepest present overlap in widths of the smaller body, measured without the engine. */
     double overlapNow() {
         return overlap.deepestShare(pool.bodies());
     }

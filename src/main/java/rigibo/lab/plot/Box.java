@@ -3,10 +3,7 @@ package rigibo.lab.plot;
 /** A rectangle in a picture, px. */
 public record Box(double left, double top, double right, double bottom) {
 
-    /**
-     * The heights above and below the baseline as shares of a letter's size, accents and tails
-     * included.
-     */
+    /** Heights above and below the baseline, in letter sizes, accents and tails included. */
     private static final double ABOVE = 0.86;
 
     private static final double BELOW = 0.26;

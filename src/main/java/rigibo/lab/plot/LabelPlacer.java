@@ -88,10 +88,7 @@ public final class LabelPlacer {
         return new Candidate(box, distance + (crossed > 0 ? LINE_COST : 0) + crossed);
     }
 
-    /**
-     * The horizontal shift: fully to one side, except in nearly vertical directions, where labels
-     * are centred.
-     */
+    /** The horizontal shift: fully to one side, but centred in nearly vertical directions. */
     private static double side(double share) {
         return Math.max(-1, Math.min(1, share * 1.5));
     }

@@ -19,10 +19,7 @@ public final class Palette {
     public static final String BAND = "#E3F2EC";
     public static final String PAPER = "#FFFFFF";
 
-    /**
-     * The share of its brightness that a colour keeps as a letter; orange and sky are too pale to
-     * read.
-     */
+    /** The share of brightness kept by a letter; orange and sky are too pale to read. */
     private static final double SHADE = 0.66;
 
     private Palette() {}

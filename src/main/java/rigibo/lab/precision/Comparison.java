@@ -62,10 +62,7 @@ final class Comparison {
                 .min(Comparator.comparingDouble(Comparison::micros));
     }
 
-    /**
-     * The ratio of our step's time to that of the fastest engine in Java; empty if one was not
-     * timed.
-     */
+    /** Our step's time over that of the fastest engine in Java; empty if one was not timed. */
     Optional<Double> slowdown() {
         return game.timing().isEmpty()
                 ? Optional.empty()

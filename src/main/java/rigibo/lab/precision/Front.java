@@ -50,10 +50,7 @@ final class Front {
         return points;
     }
 
-    /**
-     * The cheapest point that is at least as accurate; empty if there is none, not even the point
-     * itself.
-     */
+    /** The cheapest point that is at least as accurate; empty if there is none. */
     Optional<Point> cheapestAsAccurateAs(Point point) {
         return eligible.stream().filter(other -> error(other) <= error(point)).min(BY_COST);
     }

@@ -9,17 +9,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/**
- * Says which presets lie on the front of their problem, and by how much the others are too
- * expensive.
- */
+/** States which presets lie on the front, and how much too expensive the others are. */
 final class FrontWords {
 
     private FrontWords() {}
 
-    /**
-     * A sentence about the presets of some problems, without those that failed or were not timed.
-     */
+    /** A sentence about the presets of problems, without those that failed or were not timed. */
     static String of(List<Asked> all) {
         long judged = all.stream().mapToLong(asked -> judged(asked).size()).sum();
         long far = all.stream().mapToLong(asked -> far(asked).size()).sum();

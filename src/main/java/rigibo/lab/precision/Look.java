@@ -22,10 +22,7 @@ record Look(String color, Mark mark, double radius, boolean isHollow) {
     /** The appearances of other engines, in their order. */
     private static final Mark[] PEERS = {Mark.UP, Mark.SQUARE, Mark.HEXAGON, Mark.DOWN};
 
-    /**
-     * The colours of other engines, which their names share so that close marks can be
-     * distinguished.
-     */
+    /** The colours of other engines and their names, so that close marks differ. */
     private static final String[] PEER_COLORS = {Palette.PURPLE, Palette.VERMILLION, Palette.DIM};
 
     /** The appearance of one of our lines. Lines of one colour have different marks. */

@@ -76,7 +76,7 @@ final class MoreFigures {
     private Section margins() {
         tell.accept("hard cases");
         Cases cases = new Cases(List.of(), List.of(Preset.values()), Sampling.USUAL);
-        List<Margin> margins = Margins.of(cases, inquiry.out()).find(tell);
+        List<Margin> margins = Margins.of(cases, inquiry.out(), tell);
         MarginFigure figure = new MarginFigure(margins);
         return section("cases", "Hard cases", figure.sentences(), figure::drawing);
     }

@@ -13,31 +13,21 @@ import java.util.function.Consumer;
 /** Measures what accuracy costs in time and writes tables, figures and a page. */
 public final class PrecisionStudy {
 
-    private final Inquiry inquiry;
-    private final Environment environment;
-    private final Consumer<String> tell;
-
-    /**
-     * A study.
-     *
-     * @param environment of the runs; how processes are started is added to its flags
-     * @param tell is told how far the runs are
-     */
-    public PrecisionStudy(Inquiry inquiry, Environment environment, Consumer<String> tell) {
-        this.inquiry = inquiry;
-        this.environment = environment;
-        this.tell = tell;
-    }
+    private PrecisionStudy() {}
 
     /**
      * Makes the runs that are missing and writes everything into the inquiry's directory.
      *
-     * @param page whose measured part is written anew, if one is
+     * @param environment of the runs; how processes are started is added to its flags
+     * @param page whose measured part is written anew, if there is one
+     * @param tell is told how far the runs are
      * @return the main sentences of what was found, a line each
      * @throws IllegalStateException when a run breaks off
      * @throws IOException when something cannot be written
      */
-    public List<String> make(Optional<Path> page) throws IOException {
+    public static List<String> make(
+            Inquiry inquiry, Environment environment, Optional<Path> page, Consumer<String> tell)
+            throws IOException {
         PrecisionLab lab = new PrecisionLab(inquiry);
         lab.run(tell);
         List<Problem> problems = inquiry.problems().stream().map(Problems::numbered).toList();

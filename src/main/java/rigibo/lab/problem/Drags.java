@@ -37,9 +37,7 @@ final class Drags {
     /** The phases of the quadratic drag: terminal and first speed, m/s. */
     private static final double[][] QUADRATIC = {{20, 15}, {20, 33}, {12, 25}, {33, 12}};
 
-    /**
-     * The error promised at EXACT, row 3, quadratic drag; linear drag alone is promised to 1e-9.
-     */
+    /** The error promised at EXACT, row 3, for quadratic drag; for linear drag it is 1e-9. */
     private static final double EQUAL_BELOW = 1e-6;
 
     private Drags() {}

@@ -28,10 +28,7 @@ final class ElasticBalls {
     private static final double MASS = 10;
     private static final double DISTANCE = 0.5;
 
-    /**
-     * The error promised at EXACT, row 10: the apex of a ball with e = 1, which is its energy,
-     * after ten bounces.
-     */
+    /** The error promised at EXACT, row 10: the apex after ten bounces, which is the energy. */
     private static final double EQUAL_BELOW = 1e-6;
 
     private ElasticBalls() {}

@@ -19,10 +19,7 @@ final class HeavyOnLight {
     private static final double SECONDS = 2;
     private static final double TOLERATED = 1e-3;
 
-    /**
-     * The gap between the boxes and the floor at the start, m: some engines give polygons a skin of
-     * 1 cm.
-     */
+    /** The gaps at the start, m: some engines give polygons a skin of 1 cm. */
     private static final double GAP = 0.02;
 
     private static final double[] RATIOS = {1, 10, 100, 1000, 10_000};

@@ -37,9 +37,7 @@ final class PulledBox {
     private static final double RADIUS = 0.2;
     private static final double DISTANCE = 0.5;
 
-    /**
-     * Distance of the middle of the discs to the right of the box's, m: they fall back by 3.7 m.
-     */
+    /** Distance of the discs' middle to the right of the box's, m: they fall back by 3.7 m. */
     private static final double AHEAD = 1.8;
 
     private static final double GROUND_BRAKE =
@@ -52,9 +50,7 @@ final class PulledBox {
     /** Acceleration of a disc to the right, m/s². */
     static final double DISC_GAINS = DISC_BRAKE / DISC;
 
-    /**
-     * The error promised at EXACT, row 34: a disc's velocity to 1e-5, here of the box's at the end.
-     */
+    /** The error promised at EXACT, row 34: 1e-5 of a velocity, here of the box's at the end. */
     private static final double EQUAL_BELOW = Math.pow(1e-5 * BOX_GAINS * SECONDS, 2);
 
     private PulledBox() {}

@@ -45,10 +45,7 @@ final class Piece {
         return gapOfCores(other) - round - other.round;
     }
 
-    /**
-     * The distance of the two cores, which counts at round corners and which no edge normal may
-     * show.
-     */
+    /** The distance of the two cores, which counts at round corners. */
     private double gapOfCores(Piece other) {
         double parted = Math.max(gapAlongNormals(other), other.gapAlongNormals(this));
         boolean isAsked = round + other.round > 0 && parted > -IN_LINE;

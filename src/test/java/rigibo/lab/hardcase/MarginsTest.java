@@ -24,7 +24,7 @@ class MarginsTest {
 
     @Test
     void everyRunIsToldInOrder() {
-        List<Margin> margins = Margins.of(CASES, directory).find(words -> {});
+        List<Margin> margins = Margins.of(CASES, directory, words -> {});
         assertThat(margins)
                 .extracting(margin -> margin.row() + " " + margin.preset())
                 .isEqualTo(CASES.names())
@@ -33,12 +33,12 @@ class MarginsTest {
 
     @Test
     void onlyWhatIsMissingIsRunAgain() throws Exception {
-        List<Margin> first = Margins.of(CASES, directory).find(words -> {});
+        List<Margin> first = Margins.of(CASES, directory, words -> {});
         Path log = directory.resolve("cases.log");
         List<String> lines = Files.readAllLines(log);
         Files.write(log, lines.subList(0, 3));
         List<String> told = new ArrayList<>();
-        assertThat(Margins.of(CASES, directory).find(told::add)).isEqualTo(first);
+        assertThat(Margins.of(CASES, directory, told::add)).isEqualTo(first);
         assertThat(told.get(0)).isEqualTo("1 runs to make");
         assertThat(Files.readAllLines(log)).isEqualTo(lines);
     }

@@ -192,10 +192,7 @@ final class ProbeScenes {
         return bodies;
     }
 
-    /**
-     * Boxes that begin in the air: put back into a heap they would lack the loads that carried
-     * them.
-     */
+    /** Boxes that begin in the air: put back into a heap they would lack their loads. */
     static Workload heap(long seed) {
         String words = "500 boxes tumbling onto a heap, sleep off";
         return new Workload("heap", words, RUBBING, () -> tumbling(seed), 0, 60, Workload.UNDRIVEN);

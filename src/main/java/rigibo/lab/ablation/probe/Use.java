@@ -120,10 +120,7 @@ public record Use(
         }
     }
 
-    /**
-     * The bodies of the scene; without sensors if the effect is undeclared, which would refuse
-     * them.
-     */
+    /** The bodies of the scene; sensors are left out if undeclared, since they are refused. */
     private List<BodyDefinition> bodies(int users, boolean senses) {
         List<BodyDefinition> all = new ArrayList<>();
         int met = 0;

@@ -12,10 +12,7 @@ import rigibo.lab.engine.World;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 
-/**
- * The main class of a process that simulates one flood in one engine and prints how long its steps
- * took.
- */
+/** The main class of a process that simulates one flood and prints the times of steps. */
 public final class CrowdProbe {
 
     static final String MARK = "crowd ";
@@ -61,10 +58,7 @@ public final class CrowdProbe {
         }
     }
 
-    /**
-     * The deepest overlap of two discs, or of a disc and the floor, m, computed from their
-     * positions.
-     */
+    /** The deepest overlap of discs, or of a disc and the floor, by their positions, m. */
     private static double deepest(World world, int discs) {
         Integer[] byX =
                 IntStream.range(WALLS, WALLS + discs)

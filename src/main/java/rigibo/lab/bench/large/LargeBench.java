@@ -17,9 +17,7 @@ import java.util.stream.IntStream;
  */
 public record LargeBench(List<Integer> sizes) {
 
-    /**
-     * Two sizes, one ten times the other, so that costs that grow faster than the world are seen.
-     */
+    /** Two sizes, one ten times the other, to show costs that grow faster than the world. */
     public static final List<Integer> SIZES = List.of(10_000, 100_000);
 
     private static final double DT = 1.0 / 60;

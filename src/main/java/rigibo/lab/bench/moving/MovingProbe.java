@@ -64,10 +64,7 @@ public final class MovingProbe {
                 MARK + Fields.line(measure(contestant, scene.scene().get(), steps, runs)));
     }
 
-    /**
-     * Runs the scene once to examine it, then for a while to warm up, then a number of times to
-     * time it.
-     */
+    /** Runs the scene to examine it, then to warm up, then a number of times to time it. */
     static Course measure(Contestant contestant, Scene scene, int steps, int runs) {
         MovingProbe probe = new MovingProbe(contestant, scene, steps);
         probe.look();
@@ -95,7 +92,7 @@ public final class MovingProbe {
     }
 
     private void look() {
-        boolean isDriven = !scene.driver().equals(Driver.NONE);
+        boolean isDriven = !(scene.driver() instanceof Driver.None);
         try (Stage stage = contestant.stage(scene)) {
             World world = stage.world();
             LinkErrors joints = new LinkErrors(scene.bodies(), scene.links());

@@ -42,10 +42,7 @@ final class MovingSection {
     private final Map<Contestant, Course> courses;
     private final int steps;
 
-    /**
-     * A section about the courses of a scene, in the order of the report, with a number of steps of
-     * each.
-     */
+    /** A section about the courses of a scene, with a number of steps of each. */
     MovingSection(String title, Map<Contestant, Course> courses, int steps) {
         this.title = title;
         this.courses = courses;

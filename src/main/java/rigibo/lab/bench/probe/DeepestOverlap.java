@@ -26,10 +26,7 @@ public final class DeepestOverlap {
         return deepest(scene, world, shape -> 1);
     }
 
-    /**
-     * The deepest overlap as a share of the width of the smaller of the two bodies; 0 if none
-     * overlap.
-     */
+    /** The deepest overlap in widths of the smaller body; 0 if none overlap. */
     public static double inWidths(Scene scene, World world) {
         return deepest(scene, world, Shape::smallestWidth);
     }

@@ -25,9 +25,7 @@ public final class Stage implements AutoCloseable {
         return world;
     }
 
-    /**
-     * Moves the driven bodies. It is not timed, since it is the bench's work and not the engine's.
-     */
+    /** Moves the driven bodies, untimed, since it is the bench's work. */
     public void drive() {
         scene.driver().drive(world, made);
     }

@@ -8,9 +8,7 @@ public final class StepMeter {
     private long nanos;
     private long bytes;
 
-    /**
-     * Makes a step. Bytes are counted within the interval of the clock, which may itself allocate.
-     */
+    /** Makes a step. The clock may allocate, so bytes are counted within its interval. */
     public void measure(Stage stage) {
         long begun = ThreadUse.nanos();
         long allocated = ThreadUse.bytes();

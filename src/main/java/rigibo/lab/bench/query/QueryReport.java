@@ -19,10 +19,7 @@ final class QueryReport {
     /** The most that sensors may add to a step, ns. */
     private static final double MOST_SENSING = 0.3e6;
 
-    /**
-     * The share by which mean paths may differ, since engines that compute in floats miss some
-     * rims.
-     */
+    /** The allowed difference of mean paths: engines in floats miss some rims. */
     private static final double SAME = 1e-3;
 
     private final Map<Contestant, Answers> found;

@@ -27,10 +27,7 @@ public final class Commotions {
         return scene(bodies);
     }
 
-    /**
-     * A pyramid whose foot is struck each second, by an impulse that would give one of its boxes 10
-     * m/s.
-     */
+    /** A pyramid whose foot is struck each second; the impulse would give a box 10 m/s. */
     public static Scene struck(int base) {
         List<BodyDefinition> bodies = floor();
         Solid.pyramid(Solid.box(1, 1), base, 1, 0).forEach(bodies::add);

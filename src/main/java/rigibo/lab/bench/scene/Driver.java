@@ -6,10 +6,13 @@ import rigibo.lab.engine.World;
  * Moves or strikes some of a scene's bodies before each step, in the same way in every engine.
  * Drivers are records, so that equal scenes have equal fingerprints.
  */
-public sealed interface Driver permits Undriven, Drum, Tray, Belt, Striker {
+public sealed interface Driver permits Driver.None, Drum, Tray, Belt, Striker {
 
-    /** Does nothing. */
-    Driver NONE = new Undriven();
+    /** The driver of a scene that nothing drives. */
+    record None() implements Driver {
+        @Override
+        public void drive(World world, int made) {}
+    }
 
     /**
      * Prepares the next step.

@@ -22,9 +22,7 @@ record Drum(double y, double side, double spin) implements Driver {
 
     static final int WALLS = 4;
 
-    /**
-     * The thickness of a wall, m: many times the distance that the fastest body moves in a step.
-     */
+    /** The thickness of a wall, m: many times the motion of the fastest body in a step. */
     private static final double THICKNESS = 1;
 
     /** Its walls at time 0. */

@@ -33,9 +33,7 @@ final class Pyramids {
     /** The width of the floor beside each pyramid, m. */
     private static final double MARGIN = 5;
 
-    /**
-     * The distance between two pyramids of a field, m, more than boxes that are pushed apart need.
-     */
+    /** The distance between pyramids of a field, m, more than boxes pushed apart need. */
     private static final double GAP = 1;
 
     /** The distance between the tip of a pyramid and the floor above it, m. */
@@ -55,7 +53,7 @@ final class Pyramids {
     static Scene undermined(int base, int steps, Effects effects) {
         List<BodyDefinition> bodies = one(base).bodies();
         int firstBox = 1;
-        return new Scene(effects, bodies, Driver.NONE, new Loss(firstBox + base / 2, steps));
+        return new Scene(effects, bodies, new Driver.None(), new Loss(firstBox + base / 2, steps));
     }
 
     /** The effects of a pyramid, and sleep. */
@@ -68,9 +66,7 @@ final class Pyramids {
         return EFFECTS;
     }
 
-    /**
-     * A field of pyramids: storeys one above the other, each a floor with pyramids side by side.
-     */
+    /** Storeys one above the other, each a floor with pyramids side by side. */
     static Scene field(int storeys, int beside, int base) {
         List<BodyDefinition> bodies = new ArrayList<>();
         double width = beside * (base + GAP);

@@ -31,7 +31,7 @@ public record Scene(
 
     /** A scene in which nothing is driven. */
     public Scene(Effects effects, List<BodyDefinition> bodies) {
-        this(effects, bodies, Driver.NONE);
+        this(effects, bodies, new Driver.None());
     }
 
     /** A scene from which no body is removed. */
@@ -46,7 +46,7 @@ public record Scene(
 
     /** A scene of joined bodies that only motors drive. */
     public Scene(Effects effects, List<BodyDefinition> bodies, List<Link> links) {
-        this(effects, bodies, links, Driver.NONE, Loss.NONE);
+        this(effects, bodies, links, new Driver.None(), Loss.NONE);
     }
 
     /** Adds all bodies to a world and joins them. */
@@ -62,10 +62,7 @@ public record Scene(
                 && links.stream().noneMatch(link -> link.isOf(a, b));
     }
 
-    /**
-     * A hash of the scene. Equal scenes have equal fingerprints, so a changed level or flood is
-     * noticed.
-     */
+    /** A hash of the scene, which tells a changed level or flood. */
     public int fingerprint() {
         int mark = Objects.hash(effects.toString(), driver, loss);
         for (BodyDefinition body : bodies) {

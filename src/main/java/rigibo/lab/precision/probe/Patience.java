@@ -13,9 +13,7 @@ public record Patience(double warmMillis, double timedMillis, int repeats, doubl
     /** Errors only. */
     public static final Patience NONE = new Patience(0, 0, 0, 0);
 
-    /**
-     * Times the steps of the run that finds the errors, which takes minutes and is the only one.
-     */
+    /** Times the steps of the run that finds the errors, which takes minutes. */
     public static final Patience ONE_RUN = new Patience(0, 0, 1, 0);
 
     /** Its words on a command line. */
