@@ -31,8 +31,8 @@ final class BenchReport {
         return rounds == 1
                 ? "One round."
                 : String.format(
-                        "Medians of %d rounds in which the engines took turns; in brackets between"
-                                + " which ratios of single rounds they lie.",
+                        "Medians of %d rounds in which the engines took turns; in brackets the"
+                                + " range of single rounds.",
                         rounds);
     }
 }

@@ -77,9 +77,9 @@ final class SweepSection {
 
     List<String> sentences() {
         String what =
-                "Floods as deep as each other, ever wider, from the first step until they lie, in"
-                        + " one round; the exponent is that of the time of a step by the number of"
-                        + " discs, from 1,000 on.";
+                "Floods of equal depth and growing width, from the first step until they lie still,"
+                        + " in one round. The exponent is that of a step's time as a power of the"
+                        + " number of discs, from 1,000 on.";
         if (!engines.contains(RigiBoEngine.NAME)) {
             return List.of(what);
         }
@@ -87,7 +87,7 @@ final class SweepSection {
         return List.of(
                 what,
                 String.format(
-                        "Ours grows with the power %s (%s).",
+                        "Our exponent is %s (%s).",
                         Amount.digits(ours), Aims.atMost(Aims.GROWTH, ours)));
     }
 }

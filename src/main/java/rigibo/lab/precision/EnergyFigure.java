@@ -46,7 +46,7 @@ final class EnergyFigure {
      * A figure.
      *
      * @param ours one trace for each preset
-     * @param others one trace for each other engine, as it comes
+     * @param others one trace for each other engine, at its defaults
      */
     EnergyFigure(List<EnergyTrace> ours, List<EnergyTrace> others) {
         this.ours = ours;
@@ -167,10 +167,10 @@ final class EnergyFigure {
     List<String> sentences() {
         List<String> sentences = new ArrayList<>();
         sentences.add(
-                "A ball falls 2 m and rebounds with e = 0.8: each impact takes 36 % of its energy"
-                        + " by design, and nothing takes any in between. What is beyond that is"
-                        + " drift.");
-        StringBuilder drifts = new StringBuilder("At most it is ");
+                "A ball falls 2 m and rebounds with e = 0.8. In truth each impact takes 36 % of its"
+                        + " energy, and flight keeps it. Any other change is drift.");
+        StringBuilder drifts =
+                new StringBuilder("The largest drift, as a share of the energy at the start, is ");
         for (EnergyTrace trace : ours) {
             drifts.append(Amount.scientific(trace.most()))
                     .append(" at ")
@@ -181,9 +181,9 @@ final class EnergyFigure {
             drifts.append(Amount.scientific(trace.most()))
                     .append(" by ")
                     .append(trace.engine())
-                    .append(" as it comes, ");
+                    .append(" at its defaults, ");
         }
-        sentences.add(drifts.substring(0, drifts.length() - 2) + ", of the energy it began with.");
+        sentences.add(drifts.substring(0, drifts.length() - 2) + ".");
         return sentences;
     }
 }

@@ -32,7 +32,10 @@ final class FrontWords {
                         .collect(Collectors.joining("; "));
         return rest.isEmpty()
                 ? first + "."
-                : first + "; the others cost more than a setting that errs no more: " + rest + ".";
+                : first
+                        + "; the others cost more than a setting that is at least as accurate: "
+                        + rest
+                        + ".";
     }
 
     private static List<Point> judged(Asked asked) {

@@ -19,7 +19,7 @@ import java.util.Optional;
 /** The report on what accuracy costs in time. */
 final class PrecisionReport {
 
-    private static final String CELLS = "Each cell: the error, and what a step takes.";
+    private static final String CELLS = "Each cell gives the error and the time of a step.";
 
     private final List<Point> points;
     private final List<Asked> asked;
@@ -32,7 +32,7 @@ final class PrecisionReport {
      * A report.
      *
      * @param points in the order the settings are told; of an engine that is not ours the first is
-     *     as it comes, the others are finer
+     *     at its defaults, the others are finer
      * @param problems whose points are told, in their order; those without points are left out
      * @param more that is to be told after the problems
      */

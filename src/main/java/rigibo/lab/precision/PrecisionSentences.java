@@ -53,7 +53,7 @@ final class PrecisionSentences {
                         .map(PrecisionSentences::notMostAccurate)
                         .toList();
         long most = comparisons.size() - less.size();
-        return "GAME is more accurate than every other engine, as it comes and finer, in "
+        return "GAME is more accurate than every other engine, at default and finer settings, in "
                 + most
                 + " of "
                 + comparisons.size()
@@ -83,15 +83,13 @@ final class PrecisionSentences {
                         .toList();
         String first =
                 won.isEmpty()
-                        ? "In no problem is it both that and no slower per step than the fastest"
-                                + " engine written in Java"
-                        : "It is both that and no slower per step than the fastest engine written"
-                                + " in Java in "
+                        ? "In no problem is it also as fast per step as the fastest engine in Java"
+                        : "It is also as fast per step as the fastest engine in Java in "
                                 + String.join(", ", won);
         return first
-                + " (of "
+                + " (the aim: "
                 + String.join(", ", COMPARED)
-                + " that was the aim)"
+                + ")"
                 + (slower.isEmpty() ? "." : "; slower in " + String.join(", ", slower) + ".");
     }
 

@@ -113,7 +113,7 @@ class SiteTest {
                         "problems/R20.svg",
                         "DRAFT errs by",
                         "id=\"the-figures\"",
-                        "Each cell:",
+                        "Each cell gives",
                         "<th>problem</th>");
         assertThat(order.stream().map(page::indexOf)).isSorted().allMatch(place -> place > 0);
         assertThat(page.lastIndexOf("<h")).isLessThan(page.indexOf("<th>problem</th>"));

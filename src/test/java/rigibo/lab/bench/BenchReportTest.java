@@ -84,7 +84,7 @@ class BenchReportTest {
                 .contains("### Growth\n")
                 .contains("| 50,000 | 50.0 ms |  |")
                 .contains("| exponent | 1.00 | 2.00 |")
-                .contains("the power 1.00 (≤ 1.1: met)");
+                .contains("Our exponent is 1.00 (≤ 1.1: met)");
     }
 
     @Test

@@ -31,7 +31,7 @@ class FrontWordsTest {
                 .isEqualTo(
                         "1 of 3 presets lie on the front of our own knobs at the game's step or,"
                                 + " by median times, within 10 % of it; the others cost more than"
-                                + " a setting that errs no more: at R1 GAME 2.00 ×, FINE 4.50 × as"
-                                + " much as “substeps 2”.");
+                                + " a setting that is at least as accurate: at R1 GAME 2.00 ×, FINE"
+                                + " 4.50 × as much as “substeps 2”.");
     }
 }

@@ -136,8 +136,8 @@ public final class CrowdFigure {
         List<String> sentences = new ArrayList<>();
         sentences.add(
                 "Discs of r = 0.25 m and elasticity 0.5 fall into a trough of 40 m and settle,"
-                    + " without friction and without sleep; ours runs at GAME, the others as they"
-                    + " come.");
+                    + " without friction and without sleep. Ours runs at GAME, the others at their"
+                    + " defaults.");
         for (String engine : engines) {
             List<CrowdPoint> line = of(engine);
             CrowdPoint last = line.get(line.size() - 1);
