@@ -48,6 +48,11 @@ public record SceneEntry(
     /** What a scene looks like before it is opened. */
     public interface Picture {
 
+        /** What is behind it. */
+        default Scenery scenery() {
+            return Scenery.WORKSHOP;
+        }
+
         /** Draws it into a rectangle of the screen, px. */
         void draw(Canvas canvas, double x, double y, double width, double height);
     }

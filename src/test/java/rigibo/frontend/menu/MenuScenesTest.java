@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.frontend.puzzle.Levels;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
@@ -15,6 +16,7 @@ import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Scenery;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.widget.Widget;
 
@@ -48,6 +50,16 @@ class MenuScenesTest {
 
     private String shown() {
         return director.shown.get(director.shown.size() - 1).title();
+    }
+
+    @Test
+    void levelsOnTheMoonAreShownThere() {
+        LevelsScene scene = new LevelsScene(director, Levels.entries(), List.of());
+        assertThat(RecordingCanvas.of(scene).sceneries()).isEmpty();
+        press(scene, Key.RIGHT_BRACKET, Key.RIGHT_BRACKET, Key.RIGHT_BRACKET);
+        assertThat(RecordingCanvas.of(scene).sceneries())
+                .as("of Moon and of Solar Wind")
+                .containsExactly(Scenery.MOON, Scenery.MOON);
     }
 
     @Test
