@@ -23,7 +23,7 @@ final class Drawer {
     private Optional<Path> file;
     private Optional<Path> kept = Optional.empty();
     private Optional<Unsaved.Left> offered = Optional.empty();
-    private Optional<String> trouble = Optional.empty();
+    private Optional<IOException> trouble = Optional.empty();
 
     Drawer(Optional<Path> folder, DraftFile first) {
         this.folder = folder;
@@ -38,7 +38,7 @@ final class Drawer {
             offered = unsaved.last();
             trouble = unsaved.trouble().stream().findFirst();
         } catch (IOException unreadable) {
-            trouble = Optional.of(unreadable.getMessage());
+            trouble = Optional.of(unreadable);
         }
     }
 
@@ -50,8 +50,8 @@ final class Drawer {
         return new DraftFiles(folder);
     }
 
-    /** Message about what went wrong at the start. */
-    Optional<String> trouble() {
+    /** What went wrong at the start. */
+    Optional<IOException> trouble() {
         return trouble;
     }
 
@@ -84,8 +84,8 @@ final class Drawer {
         return saved;
     }
 
-    /** Keeps an unsaved draft; returns a message if that fails. */
-    Optional<String> put(Draft draft) {
+    /** Keeps an unsaved draft; returns why if that fails. */
+    Optional<IOException> put(Draft draft) {
         if (folder.isEmpty() || isSaved(draft)) {
             return Optional.empty();
         }
@@ -93,7 +93,7 @@ final class Drawer {
             kept = Optional.of(unsaved().keep(new DraftFile(draft, file), kept));
             return Optional.empty();
         } catch (IOException full) {
-            return Optional.of(full.getMessage());
+            return Optional.of(full);
         }
     }
 
@@ -115,8 +115,8 @@ final class Drawer {
         offered = Optional.empty();
     }
 
-    /** Discards the draft that was left unsaved. */
-    Optional<String> refuse() {
+    /** Discards the draft that was left unsaved; returns why if that fails. */
+    Optional<IOException> refuse() {
         Optional<Path> old = offered.map(Unsaved.Left::kept);
         offered = Optional.empty();
         try {
@@ -125,7 +125,7 @@ final class Drawer {
             }
             return Optional.empty();
         } catch (IOException locked) {
-            return Optional.of(locked.getMessage());
+            return Optional.of(locked);
         }
     }
 }

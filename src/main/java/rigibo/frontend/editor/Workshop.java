@@ -12,6 +12,7 @@ import rigibo.frontend.editor.draft.Prize;
 import rigibo.frontend.editor.draft.Settled;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.file.DraftFiles;
+import rigibo.frontend.editor.file.Unreadable;
 import rigibo.frontend.editor.pane.Craft;
 import rigibo.frontend.editor.pane.ListPane;
 import rigibo.frontend.editor.tool.BallTool;
@@ -22,6 +23,7 @@ import rigibo.frontend.editor.tool.JointTool;
 import rigibo.frontend.editor.tool.SelectTool;
 import rigibo.frontend.editor.tool.Stencil;
 import rigibo.frontend.editor.tool.Tool;
+import rigibo.frontend.puzzle.ProblemWords;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.puzzle.level.LevelLoader;
@@ -275,7 +277,7 @@ final class Workshop {
                 say("saved", file);
             }
         } catch (IOException refused) {
-            trouble(refused.getMessage());
+            trouble(refused);
         }
     }
 
@@ -325,7 +327,7 @@ final class Workshop {
             String heading = words().of("editor.open.heading");
             list = Optional.of(new ListPane(heading, choices, this::closeList));
         } catch (IOException unreadable) {
-            trouble(unreadable.getMessage());
+            trouble(unreadable);
         }
     }
 
@@ -334,7 +336,7 @@ final class Workshop {
             begin(DraftFiles.open(file));
             say("opened", file.toString());
         } catch (IOException unreadable) {
-            trouble(unreadable.getMessage());
+            trouble(unreadable);
         }
     }
 
@@ -371,7 +373,7 @@ final class Workshop {
             begin(DraftFiles.ofCode(text));
             say("pasted");
         } catch (IOException unreadable) {
-            trouble(unreadable.getMessage());
+            trouble(unreadable);
         }
     }
 
@@ -388,8 +390,14 @@ final class Workshop {
         proving.close();
     }
 
-    private void trouble(String why) {
-        say("trouble", why);
+    /** Says what is wrong with a file or code; of the disk, what the system says. */
+    private void trouble(IOException why) {
+        if (why instanceof Unreadable unreadable) {
+            String told = ProblemWords.told(words(), unreadable.problem());
+            say(unreadable.isSetAside() ? "aside" : "trouble", told);
+        } else {
+            say("refused", why.getMessage());
+        }
     }
 
     private void sayErrors(String key, int errors) {
