@@ -4,7 +4,6 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.SceneEntry;
-import rigibo.frontend.scene.Scenery;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Print;
@@ -34,9 +33,6 @@ record LevelCard(LevelList levels, int level, Words words) {
     /** Margin around the picture, px. */
     private static final double MARGIN = 10;
 
-    /** Of the scenery, whose corners are not round, from the edge of the card, px. */
-    private static final double INSET = 3;
-
     /** What is on it, in words; what opens it is told of the one that is chosen. */
     String name() {
         List<String> parts = new ArrayList<>();
@@ -52,7 +48,10 @@ record LevelCard(LevelList levels, int level, Words words) {
         double strip = canvas.layout().lettered(STRIP);
         double picture = tile.height() - strip;
         SceneEntry entry = levels.levels().get(level);
-        drawPicture(canvas, entry.challenge().orElseThrow().picture(), tile, picture);
+        entry.challenge()
+                .orElseThrow()
+                .picture()
+                .drawOn(canvas, tile.x(), tile.y(), tile.width(), picture, MARGIN);
         boolean isOpen = levels.isOpen(level);
         if (!isOpen) {
             drawLock(canvas, tile, picture);
@@ -79,25 +78,6 @@ record LevelCard(LevelList levels, int level, Words words) {
             canvas.panel(x - 15, tile.y() + 6, 30, 24, 8, Color.PANEL);
             Sign.star(canvas, x, tile.y() + 19, 11, Color.BRASS);
         }
-    }
-
-    /** Draws the level before its own scenery, if that is not the list's. */
-    private static void drawPicture(
-            Canvas canvas, SceneEntry.Picture level, Tile tile, double height) {
-        if (level.scenery() != Scenery.WORKSHOP) {
-            canvas.scenery(
-                    level.scenery(),
-                    tile.x() + INSET,
-                    tile.y() + INSET,
-                    tile.width() - 2 * INSET,
-                    height - INSET);
-        }
-        level.draw(
-                canvas,
-                tile.x() + MARGIN,
-                tile.y() + MARGIN,
-                tile.width() - 2 * MARGIN,
-                height - 2 * MARGIN);
     }
 
     private void drawNumber(Canvas canvas, Tile tile) {
