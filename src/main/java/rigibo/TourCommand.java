@@ -160,6 +160,7 @@ final class TourCommand implements Callable<Integer> {
         Move paste = new Move.Click("menu.paste");
         Path broken = broken();
         return List.of(
+                still("elements", Catalog::levels, new Move.Click("world.4")),
                 still("statistics", Catalog::menu, new Move.Click("menu.statistics")),
                 moving("endless", Catalog::levels, endless, play),
                 moving("daily", Catalog::levels, daily, play),
