@@ -3,8 +3,11 @@ package rigibo.frontend.editor;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.file.DraftFiles;
+import rigibo.frontend.editor.file.Unreadable;
 import rigibo.frontend.editor.file.Unsaved;
+import rigibo.frontend.puzzle.ProblemWords;
 import rigibo.frontend.save.Places;
+import rigibo.frontend.scene.Words;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -48,6 +51,15 @@ final class Drawer {
 
     private DraftFiles own() {
         return new DraftFiles(folder);
+    }
+
+    /** What is wrong with a file or code; of a disk that refuses, what the system says. */
+    static String told(Words words, IOException why) {
+        if (why instanceof Unreadable unreadable) {
+            String key = unreadable.isSetAside() ? "editor.say.aside" : "editor.say.trouble";
+            return words.of(key, ProblemWords.told(words, unreadable.problem()));
+        }
+        return words.of("editor.say.refused", why.getMessage());
     }
 
     /** What went wrong at the start. */

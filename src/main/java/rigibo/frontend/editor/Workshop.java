@@ -12,7 +12,6 @@ import rigibo.frontend.editor.draft.Prize;
 import rigibo.frontend.editor.draft.Settled;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.file.DraftFiles;
-import rigibo.frontend.editor.file.Unreadable;
 import rigibo.frontend.editor.pane.Craft;
 import rigibo.frontend.editor.pane.ListPane;
 import rigibo.frontend.editor.tool.BallTool;
@@ -23,7 +22,6 @@ import rigibo.frontend.editor.tool.JointTool;
 import rigibo.frontend.editor.tool.SelectTool;
 import rigibo.frontend.editor.tool.Stencil;
 import rigibo.frontend.editor.tool.Tool;
-import rigibo.frontend.puzzle.ProblemWords;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.puzzle.level.LevelLoader;
@@ -390,14 +388,8 @@ final class Workshop {
         proving.close();
     }
 
-    /** Says what is wrong with a file or code; of the disk, what the system says. */
     private void trouble(IOException why) {
-        if (why instanceof Unreadable unreadable) {
-            String told = ProblemWords.told(words(), unreadable.problem());
-            say(unreadable.isSetAside() ? "aside" : "trouble", told);
-        } else {
-            say("refused", why.getMessage());
-        }
+        remark = Drawer.told(words(), why);
     }
 
     private void sayErrors(String key, int errors) {
