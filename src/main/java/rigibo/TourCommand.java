@@ -6,24 +6,55 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 import rigibo.frontend.catalog.Catalog;
+import rigibo.frontend.display.Display;
+import rigibo.frontend.display.Move;
 import rigibo.frontend.display.Tour;
+import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.DisplayException;
+import rigibo.frontend.scene.Guest;
+import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Settings;
 
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /** Lets the game play itself, every scene and level in turn, and keeps pictures. */
 @Command(name = "tour", description = "The game plays itself in real windows and keeps pictures.")
 final class TourCommand implements Callable<Integer> {
+
+    /** A level that cannot be played: boxes overlap, and a word stands where a number must be. */
+    private static final String BROKEN =
+            """
+            {
+              "format": 2,
+              "id": "broken",
+              "title": {"en": "Broken", "de": "Kaputt"},
+              "world": {"width": 9, "height": 10, "gravity": [0, -9.81],
+                        "effects": ["gravity", "contacts", "sleep", "thrust"]},
+              "rules": {"cooldown": 1, "hold": "long", "contactGrace": 0.25, "par": 2},
+              "ball": {"x": 4, "y": 12, "radius": 0.3},
+              "platform": {"x": 4.5, "y": 1, "w": 3},
+              "bodies": [
+                {"id": "left", "material": "rigibo", "deletable": true,
+                 "shape": {"type": "box", "w": 1, "h": 1}, "x": 3.4, "y": 1.6},
+                {"id": "right", "material": "rigibo", "deletable": true,
+                 "shape": {"type": "box", "w": 1, "h": 1}, "x": 4.1, "y": 1.6}
+              ],
+              "solutions": [{"clicks": [{"t": 1, "body": "rihgt"}]}]
+            }
+            """;
+
     @Option(
             names = "--out",
             paramLabel = "DIR",
@@ -76,7 +107,7 @@ final class TourCommand implements Callable<Integer> {
         PrintWriter words = spec.commandLine().getOut();
         PrintWriter complaints = spec.commandLine().getErr();
         try {
-            List<String> failures = tour(words).run();
+            List<String> failures = tour(words).run(display());
             failures.forEach(complaints::println);
             words.println("Pictures are in " + out);
             return failures.isEmpty() ? 0 : 1;
@@ -88,18 +119,26 @@ final class TourCommand implements Callable<Integer> {
 
     private Tour tour(PrintWriter words) {
         int[] size = window.isEmpty() ? scaled() : size();
-        return new Tour(stops(), settings(), size[0], size[1], out, words);
+        return new Tour(stops(), size[0], size[1], out, words);
+    }
+
+    private Display display() {
+        Display display = new Display(Catalog::menu, Catalog::levels, new Guest(settings()));
+        display.opensFilesBy(Catalog::dropped);
+        display.opensCodesBy(Catalog::pasted);
+        return display;
     }
 
     /** The menus, then everything that they lead to. */
     private List<Tour.Stop> stops() {
         List<Tour.Stop> all = new ArrayList<>();
-        all.add(new Tour.Stop("menu", Catalog::menu, true));
-        all.add(new Tour.Stop("levels", Catalog::levels, true));
-        all.add(new Tour.Stop("settings", Catalog::settings, true));
-        all.add(new Tour.Stop("keys", Catalog::keys, true));
-        Catalog.sheets().forEach(entry -> all.add(new Tour.Stop(entry.name(), entry.open(), true)));
+        all.add(still("menu", Catalog::menu));
+        all.add(still("levels", Catalog::levels));
+        all.add(still("settings", Catalog::settings));
+        all.add(still("keys", Catalog::keys));
+        Catalog.sheets().forEach(entry -> all.add(still(entry.name(), entry.open())));
         Catalog.entries().forEach(entry -> all.add(stop(entry)));
+        all.addAll(reached());
         Set<String> exhibits =
                 Catalog.exhibits().stream().map(SceneEntry::name).collect(Collectors.toSet());
         Catalog.exhibits().forEach(entry -> all.add(stop(entry)));
@@ -110,8 +149,50 @@ final class TourCommand implements Callable<Integer> {
                 .toList();
     }
 
+    /** What no list of scenes holds, since only moves of the player lead there. */
+    private List<Tour.Stop> reached() {
+        Move play = new Move.Click("menu.play");
+        Move endless = new Move.Click("scene.endless");
+        Move watch = new Move.Watch();
+        Move daily = new Move.Click("scene.daily");
+        Move copy = new Move.Press(Key.C);
+        Move toLevels = new Move.Click("puzzle.command.levels");
+        Move paste = new Move.Click("menu.paste");
+        Path broken = broken();
+        return List.of(
+                still("elements", Catalog::levels, new Move.Click("world.4")),
+                still("statistics", Catalog::menu, new Move.Click("menu.statistics")),
+                moving("endless", Catalog::levels, endless, play),
+                moving("daily", Catalog::levels, daily, play),
+                moving("replay", Catalog::levels, daily, play, watch, copy, toLevels, paste),
+                still("broken-file", Catalog::menu, new Move.Drop(broken)),
+                still(
+                        "broken-draft",
+                        director -> Catalog.edit(broken).apply(director),
+                        new Move.Click("editor.problem.E120")));
+    }
+
+    /** A file with mistakes that authors make. */
+    private static Path broken() {
+        try {
+            Path file = Files.createTempDirectory("rigibo").resolve("broken.json");
+            file.toFile().deleteOnExit();
+            return Files.writeString(file, BROKEN);
+        } catch (IOException e) {
+            throw new DisplayException("cannot write a level to be refused: " + e.getMessage());
+        }
+    }
+
+    private static Tour.Stop still(String name, Function<Director, Scene> open, Move... moves) {
+        return new Tour.Stop(name, open, List.of(moves), Tour.Stop.WAITING);
+    }
+
+    private static Tour.Stop moving(String name, Function<Director, Scene> open, Move... moves) {
+        return new Tour.Stop(name, open, List.of(moves), Tour.Stop.MOVING);
+    }
+
     private static Tour.Stop stop(SceneEntry entry) {
-        return new Tour.Stop(entry.name(), entry.open(), false);
+        return moving(entry.name(), entry.open());
     }
 
     private boolean isWanted(String name, boolean isExhibit) {

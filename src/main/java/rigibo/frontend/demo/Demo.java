@@ -41,6 +41,11 @@ interface Demo {
         return false;
     }
 
+    /** Whether what it shows goes on to the right of the scene, where no plate may cover it. */
+    default boolean goesOnToTheRight() {
+        return false;
+    }
+
     /** Before each step. */
     default void beforeStep(Workbench bench) {}
 

@@ -47,6 +47,7 @@ final class DemoPlates {
     /** What N, G and other demos turn to is left as it was when a demo is restarted. */
     private final Folds folds;
 
+    private final int mostColumns;
     private final Workbench bench;
     private final Panel all;
 
@@ -81,6 +82,7 @@ final class DemoPlates {
             Folds folds) {
         this.bench = bench;
         this.folds = folds;
+        mostColumns = demo.goesOnToTheRight() ? 1 : 2;
         List<Widget> widgets = demo.widgets();
         all = panel(widgets, any -> true);
         handled = panel(widgets, Widget::isControl);
@@ -153,7 +155,7 @@ final class DemoPlates {
     /** Draws what there is room for; in a hand also buttons, since there are no keys. */
     void draw(Canvas canvas, boolean isPaused, List<HandButtons.Item> items) {
         Layout layout = canvas.layout();
-        folds.fit(layout);
+        folds.fit(layout, mostColumns);
         haunt();
         forget();
         if (layout.isInHand()) {
@@ -165,7 +167,7 @@ final class DemoPlates {
         if (isHidden) {
             return;
         }
-        switch (layout.columns()) {
+        switch (folds.columns()) {
             case 0 -> drawOver(canvas, isPaused);
             case 1 -> drawColumn(canvas, isPaused);
             default -> drawColumns(canvas, isPaused);

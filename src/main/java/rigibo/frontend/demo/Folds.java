@@ -16,10 +16,14 @@ final class Folds {
     private int columns;
     private boolean isInHand;
 
-    /** Takes what the window shows; begins anew if it has other columns now. */
-    void fit(Layout layout) {
+    /**
+     * Takes how many columns of plates stand beside the scene; begins anew if that has changed.
+     *
+     * @param most columns, 0 to 2, whatever room the window has
+     */
+    void fit(Layout layout, int most) {
         boolean isHeld = layout.isInHand();
-        int now = isHeld ? 0 : layout.columns();
+        int now = isHeld ? 0 : Math.min(most, layout.columns());
         if (now != columns || isHeld != isInHand) {
             columns = now;
             isInHand = isHeld;
@@ -30,6 +34,11 @@ final class Folds {
                 open(Fold.GHOST);
             }
         }
+    }
+
+    /** How many columns of plates stand beside the scene. */
+    int columns() {
+        return columns;
     }
 
     private Set<Fold> first() {

@@ -82,6 +82,12 @@ final class FrictionDemo implements Demo {
         return new Camera(3.2, -2.1, 42);
     }
 
+    /** On ice a box slides far. */
+    @Override
+    public boolean goesOnToTheRight() {
+        return true;
+    }
+
     @Override
     public void build(Workbench on) {
         bench = on;

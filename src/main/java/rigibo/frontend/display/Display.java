@@ -237,7 +237,7 @@ public final class Display implements Director {
         try {
             picture(file);
         } catch (DisplayException refused) {
-            toast.say(refused.getMessage());
+            toast.say(words.of("toast.no-picture", file));
         }
     }
 

@@ -8,7 +8,6 @@ import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.DisplayException;
 import rigibo.frontend.scene.Scene;
-import rigibo.frontend.scene.Settings;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -25,11 +24,8 @@ import java.util.function.Function;
  */
 public final class Tour implements Display.Companion {
 
-    /** Turns of 1/60 s for which a scene that cannot play itself is watched. */
-    private static final int WATCHED_TURNS = 6 * FrameClock.RATE;
-
-    /** Turns for which a scene that only waits for a choice is watched. */
-    private static final int WAITING_TURNS = 2 * FrameClock.RATE;
+    /** Turns of a demonstration until its first picture. */
+    private static final int EARLY = 2 * FrameClock.RATE;
 
     /** Turns after which a level that is not over counts as lost. */
     private static final int MOST_TURNS = 60 * FrameClock.RATE;
@@ -39,8 +35,13 @@ public final class Tour implements Display.Companion {
      */
     private static final int CURTAIN_TURNS = FrameClock.RATE;
 
+    /** Turns for which a scene is seen before it is left by a move. */
+    private static final int GLANCE = FrameClock.RATE;
+
+    /** Turns in which a move must have become possible; levels take a while to be made. */
+    private static final int PATIENCE = 300 * FrameClock.RATE;
+
     private final List<Stop> stops;
-    private final Settings settings;
     private final int width;
     private final int height;
     private final Path folder;
@@ -48,35 +49,39 @@ public final class Tour implements Display.Companion {
     private final List<String> failures = new ArrayList<>();
     private Scene seen;
     private int current;
+    private int moves;
+
+    /** Turns since the scene was opened, or since the last move. */
     private int turn;
+
     private int overSince = -1;
     private Optional<Demonstration> demonstration = Optional.empty();
 
     /**
-     * A scene of the tour.
+     * A stop of the tour.
      *
      * @param name of its pictures
-     * @param open makes it
-     * @param isWaiting whether nothing happens in it but what the player chooses
+     * @param open makes its first scene
+     * @param moves that lead to the scene it is about
+     * @param seconds for which that scene is watched, unless it plays itself
      */
-    public record Stop(String name, Function<Director, Scene> open, boolean isWaiting) {}
+    public record Stop(String name, Function<Director, Scene> open, List<Move> moves, int seconds) {
+
+        /** For a scene in which nothing happens but what the player chooses, s. */
+        public static final int WAITING = 2;
+
+        /** For a scene in which something moves, s. */
+        public static final int MOVING = 6;
+    }
 
     /**
      * A tour that writes PNG files to a folder and its progress to {@code out}.
      *
-     * @param settings what the player has chosen
      * @param width of the windows, px
      * @param height of the windows, px
      */
-    public Tour(
-            List<Stop> stops,
-            Settings settings,
-            int width,
-            int height,
-            Path folder,
-            PrintWriter out) {
+    public Tour(List<Stop> stops, int width, int height, Path folder, PrintWriter out) {
         this.stops = stops;
-        this.settings = settings;
         this.width = width;
         this.height = height;
         this.folder = folder;
@@ -90,35 +95,45 @@ public final class Tour implements Display.Companion {
      *     is well
      * @throws DisplayException when no window comes or a picture cannot be written
      */
-    public List<String> run() {
+    public List<String> run(Display display) {
         try {
             Files.createDirectories(folder);
         } catch (IOException e) {
             throw new DisplayException(
                     "cannot write pictures to " + folder + ": " + e.getMessage());
         }
-        Display display = new Display(stops.get(0).open(), true);
-        display.settings(settings);
         display.accompany(this);
-        display.run(null);
+        display.run(stops.get(0).open());
         failures.addAll(display.troubles());
         return failures;
+    }
+
+    private Stop stop() {
+        return stops.get(current);
+    }
+
+    private boolean hasArrived() {
+        return moves == stop().moves().size();
     }
 
     @Override
     public void beforeTurn(Display display, Scene scene) {
         if (scene != seen) {
             seen = scene;
-            demonstration = scene.demonstration();
-            resize(display.window());
+            begin();
+            if (!display.settings().isFullScreen()) {
+                display.window().resize(width, height);
+            }
         }
         demonstration.ifPresent(show -> play(show, display.input()));
     }
 
-    private void resize(Window window) {
-        if (!settings.isFullScreen()) {
-            window.resize(width, height);
-        }
+    /** Begins with a scene, or with what comes after a move. */
+    private void begin() {
+        turn = 0;
+        overSince = -1;
+        boolean plays = hasArrived() || stop().moves().get(moves) instanceof Move.Watch;
+        demonstration = plays ? seen.demonstration() : Optional.empty();
     }
 
     private static void play(Demonstration show, Input input) {
@@ -136,8 +151,11 @@ public final class Tour implements Display.Companion {
     @Override
     public void afterDrawing(Display display, Scene scene) {
         turn++;
-        Stop stop = stops.get(current);
-        if (!stop.isWaiting() && turn == middle()) {
+        if (!hasArrived()) {
+            goOn(display, scene);
+            return;
+        }
+        if (stop().seconds() > Stop.WAITING && turn == middle()) {
             picture(display, "-1");
         }
         demonstration
@@ -148,40 +166,75 @@ public final class Tour implements Display.Companion {
         }
     }
 
+    /** Makes the next move once the scene was seen and lets it be made. */
+    private void goOn(Display display, Scene scene) {
+        if (turn == GLANCE && moves > 0) {
+            picture(display, "-before-" + (moves + 1));
+        }
+        if (turn > GLANCE && isMade(display, scene, stop().moves().get(moves))) {
+            moves++;
+            begin();
+        } else if (turn > PATIENCE) {
+            failures.add(stop().name() + " came to no end: " + stop().moves().get(moves));
+            next(display);
+        }
+    }
+
+    private boolean isMade(Display display, Scene scene, Move move) {
+        if (move instanceof Move.Click click) {
+            Optional<Demonstration.Click> at = Signpost.to(display.words().of(click.key()), scene);
+            at.ifPresent(place -> click(display.input(), place));
+            return at.isPresent();
+        }
+        if (move instanceof Move.Watch) {
+            return demonstration.isEmpty() || isOver();
+        }
+        if (move instanceof Move.Press press) {
+            display.input().press(press.key());
+        } else if (move instanceof Move.Drop drop) {
+            display.dropped(List.of(drop.file()));
+        }
+        return true;
+    }
+
     private int middle() {
-        return demonstration.isPresent() ? WAITING_TURNS : WATCHED_TURNS / 2;
+        return demonstration.isPresent() ? EARLY : stop().seconds() * FrameClock.RATE / 2;
     }
 
     private boolean isDone() {
-        if (demonstration.isEmpty()) {
-            return turn >= (stops.get(current).isWaiting() ? WAITING_TURNS : WATCHED_TURNS);
-        }
-        if (overSince < 0 && demonstration.get().isOver()) {
+        return demonstration.isEmpty() ? turn >= stop().seconds() * FrameClock.RATE : isOver();
+    }
+
+    private boolean isOver() {
+        if (overSince < 0 && demonstration.orElseThrow().isOver()) {
             overSince = turn;
         }
         return turn >= MOST_TURNS || overSince >= 0 && turn >= overSince + CURTAIN_TURNS;
     }
 
     private void picture(Display display, String state) {
-        display.picture(folder.resolve(stops.get(current).name() + state + ".png"));
+        display.picture(folder.resolve(stop().name() + state + ".png"));
     }
 
     private void finish(Display display) {
         picture(display, "");
-        String name = stops.get(current).name();
+        String name = stop().name();
         boolean isLost = demonstration.isPresent() && !demonstration.get().hasSucceeded();
         if (isLost) {
             failures.add(name + " was not won");
         }
         String result = demonstration.isEmpty() ? "seen" : isLost ? "NOT WON" : "won";
         out.printf("  %-24s %-8s %.0f %% of real time%n", name, result, 100 * display.pace());
+        next(display);
+    }
+
+    private void next(Display display) {
         current++;
-        turn = 0;
-        overSince = -1;
+        moves = 0;
         if (current == stops.size()) {
             display.quit();
-            return;
+        } else {
+            display.show(stop().open().apply(display));
         }
-        display.show(stops.get(current).open().apply(display));
     }
 }

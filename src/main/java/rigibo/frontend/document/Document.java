@@ -75,35 +75,36 @@ public final class Document {
         return PlaceSearch.of(text, pointer).value();
     }
 
-    /** Reports an error at a pointer; the message is made only if it is reported. */
-    public void error(String pointer, Supplier<String> message) {
-        error(Cause.CONTENT, pointer, message);
+    /** Reports an error at a pointer; the fault is made only if it is reported. */
+    public void error(String pointer, Supplier<Fault> fault) {
+        tell(Problem.Severity.ERROR, Cause.CONTENT, () -> pointer, fault);
     }
 
     /** Reports an error whose cause is more than the value at a pointer. */
     public void error(Cause cause, String pointer, Supplier<String> message) {
-        tell(Problem.Severity.ERROR, cause, () -> pointer, message);
+        tell(Problem.Severity.ERROR, cause, () -> pointer, () -> Fault.plain(message.get()));
     }
 
     /** Reports a warning at a pointer. */
-    public void warning(String pointer, Supplier<String> message) {
-        tell(Problem.Severity.WARNING, () -> pointer, message);
+    public void warning(String pointer, Supplier<Fault> fault) {
+        tell(Problem.Severity.WARNING, Cause.CONTENT, () -> pointer, fault);
     }
 
-    void tell(Problem.Severity severity, Supplier<String> pointer, Supplier<String> message) {
-        tell(severity, Cause.CONTENT, pointer, message);
+    /** Reports an error of what the document contains. */
+    void error(Supplier<String> pointer, Supplier<Fault> fault) {
+        tell(Problem.Severity.ERROR, Cause.CONTENT, pointer, fault);
     }
 
     private void tell(
             Problem.Severity severity,
             Cause cause,
             Supplier<String> pointer,
-            Supplier<String> message) {
+            Supplier<Fault> fault) {
         if (problems.isFull()) {
             problems.count(severity);
         } else {
             String at = pointer.get();
-            problems.tell(severity, cause, at(at), at, message.get());
+            problems.tell(severity, cause, at(at), at, fault.get());
         }
     }
 

@@ -119,8 +119,9 @@ final class JsonParsing {
             return;
         }
         Place first = PlaceSearch.of(text, pointer()).name();
-        String twice = Escape.quoted(name) + " is given twice (first at " + first + ")";
-        problems.error(here(), pointer(), twice);
+        String twice = "%s is given twice (first at %s)";
+        problems.error(
+                here(), pointer(), Fault.of("schema.twice", twice, Escape.quoted(name), first));
     }
 
     private JsonNode array() {
@@ -148,8 +149,9 @@ final class JsonParsing {
         String digits = parser.getString();
         double number = digits.length() <= Bounds.NUMBER ? Double.parseDouble(digits) : Double.NaN;
         if (!(Math.abs(number) <= Bounds.LARGEST)) {
+            String large = "the number %s is too large";
             problems.error(
-                    here(), pointer(), "the number " + Escape.shortened(digits) + " is too large");
+                    here(), pointer(), Fault.of("schema.number", large, Escape.shortened(digits)));
             return NODES.numberNode(0);
         }
         boolean isInt =

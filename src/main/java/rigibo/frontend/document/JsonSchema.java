@@ -67,7 +67,7 @@ public final class JsonSchema {
         Set<String> unread = document.faults();
         for (Error error : errors) {
             if (unread.isEmpty() || !unread.contains(pointer(error))) {
-                document.tell(Problem.Severity.ERROR, () -> pointer(error), () -> sentence(error));
+                document.error(() -> pointer(error), () -> fault(error));
             }
         }
     }
@@ -91,42 +91,53 @@ public final class JsonSchema {
         return pointer;
     }
 
-    private String sentence(Error error) {
+    private Fault fault(Error error) {
+        JsonNode rule = error.getSchemaNode();
         return switch (error.getKeyword()) {
-            case "required" -> "\"" + error.getProperty() + "\" is missing";
+            case "required" ->
+                    Fault.of("schema.required", "\"%s\" is missing", error.getProperty());
             case "additionalProperties" -> unknown(error);
             case "enum" -> notListed(error);
-            case "const" -> "must be " + error.getSchemaNode() + ", was " + value(error);
+            case "const" -> Fault.of("schema.other", "must be %2$s, was %1$s", value(error), rule);
             case "type" ->
-                    "must be "
-                            + article(error.getSchemaNode().asString())
-                            + ", was "
-                            + value(error);
-            case "minimum" -> "must be " + error.getSchemaNode() + " or more, was " + value(error);
-            case "maximum" -> "must be " + error.getSchemaNode() + " or less, was " + value(error);
+                    Fault.of(
+                            "schema.other",
+                            "must be %2$s, was %1$s",
+                            value(error),
+                            article(rule.asString()));
+            case "minimum" ->
+                    Fault.of("schema.least", "must be %s or more, was %s", rule, value(error));
+            case "maximum" ->
+                    Fault.of("schema.most", "must be %s or less, was %s", rule, value(error));
             case "exclusiveMinimum" ->
-                    "must be more than " + error.getSchemaNode() + ", was " + value(error);
-            default -> error.getMessage();
+                    Fault.of("schema.above", "must be more than %s, was %s", rule, value(error));
+            default -> Fault.of("schema", "%s", error.getMessage());
         };
     }
 
-    private String unknown(Error error) {
+    private Fault unknown(Error error) {
         String object = pointer(error.getSchemaLocation().getFragment().getParent());
         Collection<String> known =
                 schema.getSchemaNode().at(object + "/properties").propertyNames();
         String name = error.getProperty();
-        return Escape.quoted(name) + " is not known here" + Suggestion.among(known, name);
+        return Fault.of(
+                "schema.unknown",
+                "%s is not known here%s",
+                Escape.quoted(name),
+                Suggestion.among(known, name));
     }
 
-    private static String notListed(Error error) {
+    private static Fault notListed(Error error) {
         List<String> known =
                 StreamSupport.stream(error.getSchemaNode().spliterator(), false)
                         .map(JsonNode::asString)
                         .toList();
-        return value(error)
-                + " is not one of "
-                + Suggestion.list(known)
-                + Suggestion.among(known, error.getInstanceNode().asString(""));
+        return Fault.of(
+                "schema.unknown",
+                "%s is not one of %s%s",
+                value(error),
+                Suggestion.list(known),
+                Suggestion.among(known, error.getInstanceNode().asString("")));
     }
 
     private static String value(Error error) {

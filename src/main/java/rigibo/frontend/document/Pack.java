@@ -92,7 +92,7 @@ public final class Pack {
     }
 
     private Problem problem(Cause cause, String why) {
-        return new Problem(Problem.Severity.ERROR, place.toString(), Place.START, "", why, cause);
+        return Problem.ofWhole(place.toString(), cause, Fault.plain(why));
     }
 
     private void readFolder() throws IOException {

@@ -7,11 +7,11 @@ package rigibo.frontend.document;
  * @param file the file as the user named it
  * @param place where in the file
  * @param pointer JSON pointer of the value at fault; empty for the whole file
- * @param message what is wrong and what was expected
- * @param cause of the message, for players
+ * @param fault what is wrong
+ * @param cause of it, for players
  */
 public record Problem(
-        Severity severity, String file, Place place, String pointer, String message, Cause cause) {
+        Severity severity, String file, Place place, String pointer, Fault fault, Cause cause) {
 
     /** Whether a file with this problem may be used. */
     public enum Severity {
@@ -21,13 +21,19 @@ public record Problem(
         WARNING
     }
 
-    public Problem {
-        message = Escape.controls(message);
+    /** A problem of what a file contains. */
+    public Problem(Severity severity, String file, Place place, String pointer, Fault fault) {
+        this(severity, file, place, pointer, fault, Cause.CONTENT);
     }
 
-    /** A problem of what a file contains. */
-    public Problem(Severity severity, String file, Place place, String pointer, String message) {
-        this(severity, file, place, pointer, message, Cause.CONTENT);
+    /** An error of a file as a whole. */
+    public static Problem ofWhole(String file, Cause cause, Fault fault) {
+        return new Problem(Severity.ERROR, file, Place.START, "", fault, cause);
+    }
+
+    /** What is wrong and what was expected, exactly. */
+    public String message() {
+        return Escape.controls(fault.message());
     }
 
     public boolean isError() {
@@ -40,12 +46,14 @@ public record Problem(
      */
     @Override
     public String toString() {
+        return where() + ": " + (isError() ? "" : "warning: ") + message();
+    }
+
+    /** Where in which file, as {@link #toString()} begins. */
+    public String where() {
         boolean isOfWhole = place.equals(Place.START) && pointer.isEmpty();
         return Escape.controls(file)
                 + (isOfWhole ? "" : ":" + place)
-                + ": "
-                + (pointer.isEmpty() ? "" : Escape.controls(pointer) + ": ")
-                + (isError() ? "" : "warning: ")
-                + message;
+                + (pointer.isEmpty() ? "" : ": " + Escape.controls(pointer));
     }
 }

@@ -3,7 +3,6 @@ package rigibo.frontend.document;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 
@@ -35,12 +34,12 @@ public final class Problems {
     }
 
     /** Reports an error, which keeps the file from being used. */
-    public void error(Place place, String pointer, String message) {
-        error(Cause.CONTENT, place, pointer, message);
+    void error(Place place, String pointer, Fault fault) {
+        tell(Problem.Severity.ERROR, Cause.CONTENT, place, pointer, fault);
     }
 
     void error(Cause cause, Place place, String pointer, String message) {
-        tell(Problem.Severity.ERROR, cause, place, pointer, message);
+        tell(Problem.Severity.ERROR, cause, place, pointer, Fault.plain(message));
     }
 
     /** Reports why a file as a whole cannot be used. */
@@ -48,11 +47,11 @@ public final class Problems {
         error(cause, Place.START, "", message);
     }
 
-    void tell(Problem.Severity severity, Cause cause, Place place, String pointer, String message) {
+    void tell(Problem.Severity severity, Cause cause, Place place, String pointer, Fault fault) {
         if (isFull()) {
             count(severity);
         } else {
-            told.add(new Problem(severity, file, place, pointer, message, cause));
+            told.add(new Problem(severity, file, place, pointer, fault, cause));
             errors += severity == Problem.Severity.ERROR ? 1 : 0;
         }
     }
@@ -107,7 +106,6 @@ public final class Problems {
 
     private Problem rest(Place last) {
         Problem.Severity severity = hasErrors() ? Problem.Severity.ERROR : Problem.Severity.WARNING;
-        String words = String.format(Locale.ROOT, "… and %,d more", untold);
-        return new Problem(severity, file, last, "", words);
+        return new Problem(severity, file, last, "", Fault.of("rest", "… and %,d more", untold));
     }
 }

@@ -30,8 +30,8 @@ final class Sizes {
         JsonNode limit = rule.path(node.isArray() ? "maxItems" : "maxProperties");
         if (limit.isInt() && node.size() > limit.intValue()) {
             areKept = false;
-            document.error(
-                    pointer, () -> "must have " + limit + " values or fewer, has " + node.size());
+            String words = "must have %s values or fewer, has %s";
+            document.error(pointer, () -> Fault.of("schema.long", words, limit, node.size()));
             return;
         }
         if (rule.has("$ref")) {

@@ -143,6 +143,6 @@ public final class Value {
     }
 
     private void error(Supplier<String> message) {
-        document.tell(Problem.Severity.ERROR, pointer, message);
+        document.error(pointer, () -> Fault.plain(message.get()));
     }
 }

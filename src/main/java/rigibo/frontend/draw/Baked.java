@@ -76,11 +76,20 @@ final class Baked {
         glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
     }
 
-    /** Copies the last layer to the framebuffer. */
-    void copy() {
+    /** Copies the last layer to the framebuffer, with its lower left corner at a pixel. */
+    void copy(int left, int bottom) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, frame);
         glBlitFramebuffer(
-                0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+                0,
+                0,
+                width,
+                height,
+                left,
+                bottom,
+                left + width,
+                bottom + height,
+                GL_COLOR_BUFFER_BIT,
+                GL_NEAREST);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     }
 

@@ -22,9 +22,8 @@ public final class Painter implements Canvas {
     private final Plates plates = new Plates();
     private final Pen pen = new Pen();
     private final Marks marks = new Marks();
-    private Baked ground;
+    private final Backdrops backdrops = new Backdrops();
     private Detail detail;
-    private Scenery scenery;
     private Layout layout = Layout.ALONE;
 
     /**
@@ -33,36 +32,20 @@ public final class Painter implements Canvas {
      */
     public void begin(Layout wanted, Scenery behind, double seconds, Detail most) {
         bodies.begin(seconds, most);
-        if (!wanted.equals(layout) || behind != scenery || most != detail) {
+        if (!wanted.equals(layout) || most != detail) {
             layout = wanted;
-            scenery = behind;
             detail = most;
-            layGround();
+            backdrops.free();
         }
-        glViewport(0, 0, pixels(layout.width()), pixels(layout.height()));
-        ground.copy();
+        lay(behind, layout, 0, 0);
         pen.begin(layout);
     }
 
-    private void layGround() {
-        if (ground != null) {
-            ground.free();
-        }
-        ground =
-                new Baked(
-                        shader(scenery),
-                        pixels(layout.width()),
-                        pixels(layout.height()),
-                        1,
-                        detail,
-                        shader -> shader.set("window", layout));
-    }
-
-    private static String shader(Scenery scenery) {
-        return switch (scenery) {
-            case WORKSHOP -> "workshop";
-            case MOON -> "moon";
-        };
+    /** Lays a scenery as a window shows it onto the framebuffer, with a corner at a pixel. */
+    private void lay(Scenery scenery, Layout window, int left, int bottom) {
+        Baked backdrop = backdrops.of(scenery, window, detail);
+        glViewport(0, 0, pixels(layout.width()), pixels(layout.height()));
+        backdrop.copy(left, bottom);
     }
 
     private int pixels(double logical) {
@@ -95,9 +78,13 @@ public final class Painter implements Canvas {
         pen.free();
         plates.free();
         bodies.free();
-        if (ground != null) {
-            ground.free();
-        }
+        backdrops.free();
+    }
+
+    @Override
+    public void scenery(Scenery behind, double x, double y, double width, double height) {
+        Layout window = Layout.of(pixels(width), pixels(height), 1);
+        lay(behind, window, pixels(x - layout.left()), pixels(layout.bottom() - y - height));
     }
 
     @Override

@@ -3,8 +3,11 @@ package rigibo.frontend.editor;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.file.DraftFiles;
+import rigibo.frontend.editor.file.Unreadable;
 import rigibo.frontend.editor.file.Unsaved;
+import rigibo.frontend.puzzle.ProblemWords;
 import rigibo.frontend.save.Places;
+import rigibo.frontend.scene.Words;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -23,7 +26,7 @@ final class Drawer {
     private Optional<Path> file;
     private Optional<Path> kept = Optional.empty();
     private Optional<Unsaved.Left> offered = Optional.empty();
-    private Optional<String> trouble = Optional.empty();
+    private Optional<IOException> trouble = Optional.empty();
 
     Drawer(Optional<Path> folder, DraftFile first) {
         this.folder = folder;
@@ -38,7 +41,7 @@ final class Drawer {
             offered = unsaved.last();
             trouble = unsaved.trouble().stream().findFirst();
         } catch (IOException unreadable) {
-            trouble = Optional.of(unreadable.getMessage());
+            trouble = Optional.of(unreadable);
         }
     }
 
@@ -50,8 +53,17 @@ final class Drawer {
         return new DraftFiles(folder);
     }
 
-    /** Message about what went wrong at the start. */
-    Optional<String> trouble() {
+    /** What is wrong with a file or code; of a disk that refuses, what the system says. */
+    static String told(Words words, IOException why) {
+        if (why instanceof Unreadable unreadable) {
+            String key = unreadable.isSetAside() ? "editor.say.aside" : "editor.say.trouble";
+            return words.of(key, ProblemWords.told(words, unreadable.problem()));
+        }
+        return words.of("editor.say.refused", why.getMessage());
+    }
+
+    /** What went wrong at the start. */
+    Optional<IOException> trouble() {
         return trouble;
     }
 
@@ -84,8 +96,8 @@ final class Drawer {
         return saved;
     }
 
-    /** Keeps an unsaved draft; returns a message if that fails. */
-    Optional<String> put(Draft draft) {
+    /** Keeps an unsaved draft; returns why if that fails. */
+    Optional<IOException> put(Draft draft) {
         if (folder.isEmpty() || isSaved(draft)) {
             return Optional.empty();
         }
@@ -93,7 +105,7 @@ final class Drawer {
             kept = Optional.of(unsaved().keep(new DraftFile(draft, file), kept));
             return Optional.empty();
         } catch (IOException full) {
-            return Optional.of(full.getMessage());
+            return Optional.of(full);
         }
     }
 
@@ -115,8 +127,8 @@ final class Drawer {
         offered = Optional.empty();
     }
 
-    /** Discards the draft that was left unsaved. */
-    Optional<String> refuse() {
+    /** Discards the draft that was left unsaved; returns why if that fails. */
+    Optional<IOException> refuse() {
         Optional<Path> old = offered.map(Unsaved.Left::kept);
         offered = Optional.empty();
         try {
@@ -125,7 +137,7 @@ final class Drawer {
             }
             return Optional.empty();
         } catch (IOException locked) {
-            return Optional.of(locked.getMessage());
+            return Optional.of(locked);
         }
     }
 }

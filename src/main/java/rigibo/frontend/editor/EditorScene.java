@@ -1,12 +1,14 @@
 package rigibo.frontend.editor;
 
 import rigibo.frontend.editor.desk.Finding;
+import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.pane.Craft;
 import rigibo.frontend.editor.pane.Pane;
 import rigibo.frontend.editor.pane.Spots;
+import rigibo.frontend.puzzle.level.World;
 import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
@@ -16,6 +18,7 @@ import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Scenery;
 import rigibo.frontend.scene.Tap;
 
 import java.util.List;
@@ -63,6 +66,14 @@ final class EditorScene implements Scene {
     @Override
     public String title() {
         return "RigiBo – " + shop.words().of("editor.window");
+    }
+
+    /** That of the draft, since it is the level's. */
+    @Override
+    public Scenery scenery() {
+        double gravityX = Decimal.read(draft().at("/world/gravity/0"), 0);
+        double gravityY = Decimal.read(draft().at("/world/gravity/1"), 0);
+        return World.isOnTheMoon(gravityX, gravityY) ? Scenery.MOON : Scenery.WORKSHOP;
     }
 
     @Override

@@ -122,9 +122,7 @@ final class Panes {
         Optional<String> told = told();
         if (finding.isPresent()) {
             String plain = ProblemPane.told(pane, finding.get());
-            pane.text(line(inner, 1), plain, Canvas.Align.LEFT, Color.TEXT);
-            String behind = finding.get().problem().message();
-            pane.text(line(inner, 2), behind, Canvas.Align.LEFT, Color.TEXT_DIM);
+            sentence(line(inner, 1), line(inner, 2), plain, Color.TEXT);
         } else if (told.isPresent()) {
             sentence(line(inner, 1), line(inner, 2), told.get(), Color.TEXT);
         } else {

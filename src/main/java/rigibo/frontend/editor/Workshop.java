@@ -275,7 +275,7 @@ final class Workshop {
                 say("saved", file);
             }
         } catch (IOException refused) {
-            trouble(refused.getMessage());
+            trouble(refused);
         }
     }
 
@@ -325,7 +325,7 @@ final class Workshop {
             String heading = words().of("editor.open.heading");
             list = Optional.of(new ListPane(heading, choices, this::closeList));
         } catch (IOException unreadable) {
-            trouble(unreadable.getMessage());
+            trouble(unreadable);
         }
     }
 
@@ -334,7 +334,7 @@ final class Workshop {
             begin(DraftFiles.open(file));
             say("opened", file.toString());
         } catch (IOException unreadable) {
-            trouble(unreadable.getMessage());
+            trouble(unreadable);
         }
     }
 
@@ -371,7 +371,7 @@ final class Workshop {
             begin(DraftFiles.ofCode(text));
             say("pasted");
         } catch (IOException unreadable) {
-            trouble(unreadable.getMessage());
+            trouble(unreadable);
         }
     }
 
@@ -388,8 +388,8 @@ final class Workshop {
         proving.close();
     }
 
-    private void trouble(String why) {
-        say("trouble", why);
+    private void trouble(IOException why) {
+        remark = Drawer.told(words(), why);
     }
 
     private void sayErrors(String key, int errors) {

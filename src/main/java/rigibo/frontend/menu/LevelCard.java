@@ -51,12 +51,7 @@ record LevelCard(LevelList levels, int level, Words words) {
         entry.challenge()
                 .orElseThrow()
                 .picture()
-                .draw(
-                        canvas,
-                        tile.x() + MARGIN,
-                        tile.y() + MARGIN,
-                        tile.width() - 2 * MARGIN,
-                        picture - 2 * MARGIN);
+                .drawOn(canvas, tile.x(), tile.y(), tile.width(), picture, MARGIN);
         boolean isOpen = levels.isOpen(level);
         if (!isOpen) {
             drawLock(canvas, tile, picture);

@@ -53,6 +53,9 @@ public final class LevelsScene implements Scene {
 
     private Tiles tiles;
 
+    /** Since this world's levels are shown. */
+    private int steps;
+
     /**
      * A list of the levels among some entries, with the next one to play selected.
      *
@@ -124,6 +127,7 @@ public final class LevelsScene implements Scene {
     private void turnTo(int number) {
         if (number >= 1 && number <= levels.worlds()) {
             world = number;
+            steps = 0;
             layOut(tabs() + number - 1);
         }
     }
@@ -173,7 +177,9 @@ public final class LevelsScene implements Scene {
     }
 
     @Override
-    public void step() {}
+    public void step() {
+        steps++;
+    }
 
     @Override
     public void draw(Canvas canvas) {
@@ -188,9 +194,8 @@ public final class LevelsScene implements Scene {
         }
         tiles.draw(canvas);
         if (levels.worlds() > 0) {
-            Plate plate = places.world();
             new WorldPlate(levels, world, words)
-                    .draw(canvas, plate.x(), plate.y(), plate.width(), plate.height());
+                    .draw(canvas, places.world(), steps, director.settings().motion());
         }
         drawFoot(canvas);
     }

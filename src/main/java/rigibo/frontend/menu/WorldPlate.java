@@ -4,8 +4,10 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Medal;
+import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
 /**
@@ -30,7 +32,26 @@ record WorldPlate(LevelList levels, int world, Words words) {
 
     private static final double MEDAL_PITCH = 48;
 
-    void draw(Canvas canvas, double x, double y, double width, double height) {
+    /** From the plate's upper edge to the picture, and from the text to it, px. */
+    private static final double PICTURE = 14;
+
+    private static final double GAP = 12;
+
+    /** Lines of a text above what was done in the world, or above what opens it. */
+    private static final int LINES_OPEN = 4;
+
+    private static final int LINES_LOCKED = 3;
+
+    /**
+     * Draws it, with the moving picture where there is room beside the text.
+     *
+     * @param steps since the picture began
+     */
+    void draw(Canvas canvas, Plate plate, int steps, Motion motion) {
+        double x = plate.x();
+        double y = plate.y();
+        double width = plate.width();
+        double height = plate.height();
         canvas.panel(x, y, width, height, 14, Color.PANEL);
         Layout layout = canvas.layout();
         double left = x + MARGIN;
@@ -44,6 +65,11 @@ record WorldPlate(LevelList levels, int world, Words words) {
         String told = words.of("world." + world + ".words");
         double room = width - 2 * MARGIN;
         double foot = y + height - layout.lettered(FOOT);
+        if (!layout.isInHand() && fitsBeside(canvas, told, room)) {
+            double pictureX = x + width - MARGIN - WorldPicture.WIDTH;
+            WorldPicture.draw(canvas, world, pictureX, y + PICTURE, steps, motion);
+            room -= WorldPicture.WIDTH + GAP;
+        }
         double end = drawLines(canvas, told, left, y + layout.lettered(TEXT), room);
         boolean hasRoom = !layout.isInHand() || end < foot - layout.lettered(LINE) / 2;
         if (!hasRoom) {
@@ -54,8 +80,16 @@ record WorldPlate(LevelList levels, int world, Words words) {
         } else {
             Padlock.draw(canvas, left + 12, foot - 14, 0.7);
             String opens = words.of("world.opens", levels.opens(world), levels.solved());
-            drawLines(canvas, opens, left + LOCK, foot - layout.lettered(LINE), room - LOCK);
+            double opensWidth = width - 2 * MARGIN - LOCK;
+            drawLines(canvas, opens, left + LOCK, foot - layout.lettered(LINE), opensWidth);
         }
+    }
+
+    /** Whether a text takes no more lines beside the picture than there is room for. */
+    private boolean fitsBeside(Canvas canvas, String text, double room) {
+        double width = room - WorldPicture.WIDTH - GAP;
+        int lines = Lines.of(canvas, text, 16, Canvas.Font.WORDS, width).size();
+        return lines <= (levels.isWorldOpen(world) ? LINES_OPEN : LINES_LOCKED);
     }
 
     /** Draws lines below each other; returns where the next one would be, px. */

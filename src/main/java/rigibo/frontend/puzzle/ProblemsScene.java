@@ -12,8 +12,8 @@ import rigibo.frontend.scene.widget.Lines;
 import java.util.List;
 
 /**
- * The problems of a file that could not be opened: why in the player's language, and under it in
- * English, with its place in the file, what whoever made it has to mend.
+ * The problems of a file that could not be opened: what is wrong, and under it its place in the
+ * file, for whoever made it.
  */
 final class ProblemsScene implements Scene {
 
@@ -61,9 +61,9 @@ final class ProblemsScene implements Scene {
     private void drawProblems(Canvas canvas) {
         double y = FIRST_LINE;
         for (int i = 0; i < problems.size(); i++) {
-            List<String> why = i > 0 && isSaidBefore(i) ? List.of() : why(canvas, problems.get(i));
-            List<String> exactly = exactly(canvas, problems.get(i));
-            if (y + (why.size() + exactly.size()) * LINE > LAST_LINE) {
+            List<String> why = why(canvas, problems.get(i));
+            List<String> where = where(canvas, problems.get(i));
+            if (y + (why.size() + where.size()) * LINE > LAST_LINE) {
                 String more = director.words().of("replay.more-problems", problems.size() - i);
                 line(canvas, more, y, SIZE, Canvas.Font.WORDS, Color.BRASS);
                 break;
@@ -72,7 +72,7 @@ final class ProblemsScene implements Scene {
                 line(canvas, words, y, WHY, Canvas.Font.WORDS, Color.TEXT);
                 y += LINE;
             }
-            for (String words : exactly) {
+            for (String words : where) {
                 line(canvas, words, y, SIZE, Canvas.Font.NUMBERS, Color.TEXT_DIM);
                 y += LINE;
             }
@@ -80,17 +80,13 @@ final class ProblemsScene implements Scene {
         }
     }
 
-    private boolean isSaidBefore(int i) {
-        return problems.get(i).cause() == problems.get(i - 1).cause();
-    }
-
     private List<String> why(Canvas canvas, Problem problem) {
-        String words = director.words().of(problem.cause().key());
+        String words = ProblemWords.told(director.words(), problem);
         return Lines.of(canvas, words, WHY, Canvas.Font.WORDS, TEXT_WIDTH);
     }
 
-    private static List<String> exactly(Canvas canvas, Problem problem) {
-        return Lines.of(canvas, problem.toString(), SIZE, Canvas.Font.NUMBERS, TEXT_WIDTH);
+    private static List<String> where(Canvas canvas, Problem problem) {
+        return Lines.of(canvas, problem.where(), SIZE, Canvas.Font.NUMBERS, TEXT_WIDTH);
     }
 
     private static void line(

@@ -75,7 +75,7 @@ final class SheetScene implements Scene {
         double y = slotY(slot);
         double height = CARD_HEIGHT - STRIP;
         new LevelPicture(level, Double.POSITIVE_INFINITY)
-                .draw(canvas, x + MARGIN, y + MARGIN, CARD_WIDTH - 2 * MARGIN, height - 2 * MARGIN);
+                .drawOn(canvas, x, y, CARD_WIDTH, height, MARGIN);
         canvas.panel(x, y + height, CARD_WIDTH, STRIP, 8, Color.PANEL);
         canvas.frame(x, y, CARD_WIDTH, CARD_HEIGHT, 8, Color.EDGE);
         String name = slot + 1 + "  " + level.title().in(words.locale());

@@ -39,6 +39,12 @@ public interface Canvas {
     /** What the window shows, and where in it the scene lies. */
     Layout layout();
 
+    /**
+     * A scenery as a window of a rectangle's shape shows it, below all that is drawn in there: to
+     * be drawn first.
+     */
+    void scenery(Scenery behind, double x, double y, double width, double height);
+
     /** Draws the world through a camera from now on. */
     void camera(Camera camera);
 

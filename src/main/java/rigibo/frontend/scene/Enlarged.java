@@ -50,6 +50,12 @@ public final class Enlarged implements Canvas {
     }
 
     @Override
+    public void scenery(Scenery behind, double x, double y, double width, double height) {
+        double type = whole.type();
+        canvas.scenery(behind, outX(x), outY(y), type * width, type * height);
+    }
+
+    @Override
     public void camera(Camera camera) {
         canvas.camera(camera);
     }

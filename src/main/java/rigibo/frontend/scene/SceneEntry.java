@@ -48,8 +48,29 @@ public record SceneEntry(
     /** What a scene looks like before it is opened. */
     public interface Picture {
 
+        /** What is behind it. */
+        default Scenery scenery() {
+            return Scenery.WORKSHOP;
+        }
+
         /** Draws it into a rectangle of the screen, px. */
         void draw(Canvas canvas, double x, double y, double width, double height);
+
+        /**
+         * Draws it into a card, px, before its own scenery if that is not the card's.
+         *
+         * @param margin about the picture, 3 px or more
+         */
+        default void drawOn(
+                Canvas canvas, double x, double y, double width, double height, double margin) {
+            if (scenery() != Scenery.WORKSHOP) {
+                // The corners of cards are round, those of sceneries are not.
+                double inset = 3;
+                double wide = width - 2 * inset;
+                canvas.scenery(scenery(), x + inset, y + inset, wide, height - 2 * inset);
+            }
+            draw(canvas, x + margin, y + margin, width - 2 * margin, height - 2 * margin);
+        }
     }
 
     /**

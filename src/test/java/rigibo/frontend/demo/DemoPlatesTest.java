@@ -95,6 +95,19 @@ class DemoPlatesTest {
         scene.closed();
     }
 
+    /** On ice the box slides out of the scene, to where the plates of other demos are. */
+    @Test
+    void leaveTheLanesFreeToTheEdgeOfTheWindow() {
+        Scene scene = open(FrictionDemo::new);
+        RecordingCanvas canvas = RecordingCanvas.of(scene, EveryDemo.WIDE);
+        for (double x = Scene.WIDTH; x < EveryDemo.WIDE.right(); x += PITCH) {
+            for (double y = 0; y < Scene.HEIGHT; y += PITCH) {
+                assertThat(canvas.isUnderPanel(x, y)).as("%s, %s", x, y).isFalse();
+            }
+        }
+        scene.closed();
+    }
+
     @ParameterizedTest
     @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void areHiddenAndShownByAKey(Function<Words, Demo> maker) {

@@ -28,9 +28,10 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -41,7 +42,13 @@ class EditorJointFaultsTest {
     /** What an icon and margins leave of a line among the problems, px. */
     private static final double ROOM = View.PROBLEMS.width() - 16 - 22 - 8;
 
-    private static final Path LEVEL_ROOM = Path.of("src/main/java/rigibo/frontend/puzzle");
+    /** Of the two lines in which a fault is told, each short of a word, px. */
+    private static final double TWO_LINES = 2 * (View.FOOT.width() - 80);
+
+    private static final List<Path> ROOMS =
+            List.of(
+                    Path.of("src/main/java/rigibo/frontend/puzzle"),
+                    Path.of("src/main/java/rigibo/frontend/document"));
 
     @Test
     void whatMovesByNoForcesIsToldAtTheJoint() {
@@ -113,23 +120,36 @@ class EditorJointFaultsTest {
     /** A rule without words ended the editor as soon as a level broke it. */
     @ParameterizedTest
     @MethodSource("languages")
-    void everyRuleHasANameInEveryLanguage(String language) throws IOException {
+    void everyFaultHasANameAndASentenceInEveryLanguage(String language) throws IOException {
         Words words = new Words(language);
         RecordingCanvas canvas = withTwoBoxes().look();
-        Pattern code = Pattern.compile("\"(E\\d{3}) ");
-        try (Stream<Path> files = Files.walk(LEVEL_ROOM)) {
-            List<Path> sources = files.filter(file -> file.toString().endsWith(".java")).toList();
-            assertThat(sources).isNotEmpty();
-            for (Path source : sources.stream().sorted(Comparator.naturalOrder()).toList()) {
-                Matcher codes = code.matcher(Files.readString(source));
-                while (codes.find()) {
-                    String name = words.of("editor.problem." + codes.group(1));
-                    assertThat(canvas.textWidth(name, 16, Canvas.Font.WORDS))
-                            .as(name)
-                            .isBetween(1.0, ROOM);
+        Set<String> kinds = kinds();
+        assertThat(kinds).contains("E101", "E124.twice", "E153.par", "E160", "schema.required");
+        for (String kind : kinds) {
+            String name = words.of("editor.problem." + kind.replaceFirst("\\..*", ""));
+            assertThat(canvas.textWidth(name, 16, Canvas.Font.WORDS)).as(name).isBetween(1.0, ROOM);
+            String told = words.of("editor.problem." + kind + ".told", "a-body", "1000");
+            assertThat(canvas.textWidth(told, 16, Canvas.Font.WORDS))
+                    .as(told)
+                    .isBetween(1.0, TWO_LINES);
+        }
+    }
+
+    /** Kinds of faults, as they stand in the sources. */
+    private static Set<String> kinds() throws IOException {
+        Pattern kind = Pattern.compile("\"((E\\d{3}|schema)(\\.[a-z]+)?)\"");
+        Set<String> kinds = new TreeSet<>();
+        for (Path room : ROOMS) {
+            try (Stream<Path> files = Files.walk(room)) {
+                for (Path source : files.filter(Files::isRegularFile).toList()) {
+                    Matcher found = kind.matcher(Files.readString(source));
+                    while (found.find()) {
+                        kinds.add(found.group(1));
+                    }
                 }
             }
         }
+        return kinds;
     }
 
     /** A damaged file says what is wrong with it; it does not end the editor. */

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.frontend.puzzle.Levels;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
@@ -15,6 +16,7 @@ import rigibo.frontend.scene.Progress;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Scenery;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.widget.Widget;
 
@@ -48,6 +50,44 @@ class MenuScenesTest {
 
     private String shown() {
         return director.shown.get(director.shown.size() - 1).title();
+    }
+
+    /** Every world has one, beside its sentence; with little motion it stands still. */
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void thePictureOfAWorldMovesUnlessThatIsNotWanted(String language) {
+        director.settings(director.settings().withLanguage(language));
+        for (int world = 1; world <= 4; world++) {
+            assertThat(moves(world)).as("world %s", world).isTrue();
+        }
+        director.settings(director.settings().withMotion(Settings.Motion.REDUCED));
+        for (int world = 1; world <= 4; world++) {
+            assertThat(moves(world)).as("world %s, little motion", world).isFalse();
+        }
+    }
+
+    /** Whether what a world's page shows changes within a second or two. */
+    private boolean moves(int world) {
+        LevelsScene scene = new LevelsScene(director, Levels.entries(), List.of());
+        for (int i = 1; i < world; i++) {
+            press(scene, Key.RIGHT_BRACKET);
+        }
+        RecordingCanvas before = RecordingCanvas.of(scene);
+        for (int i = 0; i < 130; i++) {
+            scene.step();
+        }
+        RecordingCanvas after = RecordingCanvas.of(scene);
+        return !before.lines().equals(after.lines());
+    }
+
+    @Test
+    void levelsOnTheMoonAreShownThere() {
+        LevelsScene scene = new LevelsScene(director, Levels.entries(), List.of());
+        assertThat(RecordingCanvas.of(scene).sceneries()).isEmpty();
+        press(scene, Key.RIGHT_BRACKET, Key.RIGHT_BRACKET, Key.RIGHT_BRACKET);
+        assertThat(RecordingCanvas.of(scene).sceneries())
+                .as("of Moon and of Solar Wind")
+                .containsExactly(Scenery.MOON, Scenery.MOON);
     }
 
     @Test

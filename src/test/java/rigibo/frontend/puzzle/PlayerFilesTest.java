@@ -68,7 +68,7 @@ class PlayerFilesTest {
     void aReplayOfNoKnownLevelIsRefusedInWords() {
         Scene scene = open(replay);
         assertThat(String.join("", RecordingCanvas.of(scene).texts()))
-                .contains("This cannot be opened", "belongs to the level");
+                .contains("This cannot be opened", "a level that is not here");
         assertThatThrownBy(() -> PlayerFiles.read(List.of(replay)).sound())
                 .hasMessageContaining("belongs to the level \"drop\", which is not here");
     }
@@ -111,7 +111,7 @@ class PlayerFilesTest {
         assertThat(paste(ReplayCode.of(known).orElseThrow())).isInstanceOf(ReplayScene.class);
         Recording foreign = Recordings.sound();
         assertThat(RecordingCanvas.of(paste(ReplayCode.of(foreign).orElseThrow())).texts())
-                .anyMatch(words -> words.contains("belongs to the level \"drop\""));
+                .anyMatch(words -> words.contains("a level that is not here"));
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 
 import rigibo.frontend.puzzle.level.LevelTexts;
+import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
@@ -48,6 +49,25 @@ class PuzzleInWideWindowsTest {
         double[] at = canvas().middleOf("gravity");
         played.scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
         assertThat(canvas().plateOf("gravity")).isEqualTo(Color.PANEL_LIT);
+    }
+
+    /** Over the play it would hide what the last click has done. */
+    @Test
+    void theEndStandsBesideThePlay() {
+        played.solve();
+        RecordingCanvas end = canvas();
+        assertThat(end.middleOf("Solved!")[0]).isNegative();
+        for (String button : new String[] {"Next level", "Restart", "Levels"}) {
+            assertThat(end.middleOf(button)[0]).as(button).isNegative();
+        }
+        for (double x = 1; x < Scene.WIDTH; x += 8) {
+            for (double y = View.BAR_FOOT + 1; y < View.KEYS_TOP; y += 8) {
+                assertThat(end.isUnderPanel(x, y)).as("%s, %s", x, y).isFalse();
+            }
+        }
+        double[] next = end.middleOf("Next level");
+        played.scene.pointerPressed(PointerButton.LEFT, next[0], next[1]);
+        assertThat(played.director.shown).hasSize(1);
     }
 
     /** It would otherwise stand upright beside the level, without a wall. */

@@ -91,6 +91,7 @@ public final class RecordingCanvas implements Canvas {
     private final List<Color> particles = new ArrayList<>();
     private int puffs;
     private int glows;
+    private final List<Scenery> sceneries = new ArrayList<>();
     private double veil;
 
     /** A canvas as large as a scene. */
@@ -243,6 +244,16 @@ public final class RecordingCanvas implements Canvas {
     @Override
     public Layout layout() {
         return layout;
+    }
+
+    @Override
+    public void scenery(Scenery behind, double x, double y, double width, double height) {
+        sceneries.add(behind);
+    }
+
+    /** The sceneries of parts of the window. */
+    public List<Scenery> sceneries() {
+        return sceneries;
     }
 
     @Override

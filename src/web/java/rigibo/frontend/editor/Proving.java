@@ -1,5 +1,6 @@
 package rigibo.frontend.editor;
 
+import rigibo.frontend.document.Fault;
 import rigibo.frontend.document.Place;
 import rigibo.frontend.document.Problem;
 import rigibo.frontend.editor.desk.Inspection;
@@ -22,7 +23,10 @@ public final class Proving {
     private static final String FOUND = "found";
 
     /** Words by which a problem is told. */
-    private static final int WORDS = 5;
+    private static final int WORDS = 7;
+
+    /** Between the values of a problem, none of which has it. */
+    private static final String APART = "\n";
 
     private Optional<Aside> aside = Optional.empty();
     private Optional<List<Problem>> found = Optional.empty();
@@ -52,7 +56,9 @@ public final class Proving {
                 String.valueOf(problem.place().line()),
                 String.valueOf(problem.place().column()),
                 problem.pointer(),
-                problem.message());
+                problem.message(),
+                problem.fault().kind(),
+                String.join(APART, problem.fault().values()));
     }
 
     private static Problem problem(List<String> words) {
@@ -61,7 +67,7 @@ public final class Proving {
                 NAME,
                 new Place(Integer.parseInt(words.get(1)), Integer.parseInt(words.get(2))),
                 words.get(3),
-                words.get(4));
+                new Fault(words.get(5), words.get(4), List.of(words.get(6).split(APART))));
     }
 
     private void told(List<String> words) {

@@ -14,17 +14,10 @@ public record Finding(Problem problem) {
 
     private static final Pattern ITEM =
             Pattern.compile("(/bodies/\\d+|/ball|/moreBalls/\\d+|/platform|/joints/\\d+)(/.*)?");
-    private static final Pattern CODE = Pattern.compile("(E\\d{3}) .*", Pattern.DOTALL);
 
     /** JSON pointer of the item concerned; empty if it is the level as a whole. */
     public String item() {
         Matcher matcher = ITEM.matcher(problem.pointer());
         return matcher.matches() ? matcher.group(1) : "";
-    }
-
-    /** Code of the problem, such as E101, or {@code schema} for those that the schema found. */
-    public String code() {
-        Matcher matcher = CODE.matcher(problem.message());
-        return matcher.matches() ? matcher.group(1) : "schema";
     }
 }

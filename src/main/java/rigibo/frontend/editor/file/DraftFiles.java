@@ -1,6 +1,8 @@
 package rigibo.frontend.editor.file;
 
+import rigibo.frontend.document.Cause;
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 import rigibo.frontend.document.Problems;
 import rigibo.frontend.document.ShareCode;
 import rigibo.frontend.editor.draft.Draft;
@@ -9,6 +11,8 @@ import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.save.SafeFile;
+
+import tools.jackson.databind.JsonNode;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -53,11 +57,15 @@ public final class DraftFiles {
     }
 
     private static Draft draft(String name, LoadedLevel loaded) throws IOException {
-        String unread = loaded.problems().isEmpty() ? "" : loaded.problems().get(0).toString();
+        if (loaded.document().isEmpty()) {
+            throw new Unreadable(loaded.problems().get(0));
+        }
+        JsonNode document = loaded.document().get();
         try {
-            return Draft.of(loaded.document().orElseThrow(() -> new IOException(unread)));
+            return Draft.of(document);
         } catch (IllegalArgumentException foreign) {
-            throw new IOException(name + ": " + foreign.getMessage());
+            Cause cause = Draft.isNewer(document) ? Cause.NEWER : Cause.CONTENT;
+            throw Unreadable.of(name, cause, Fault.plain(foreign.getMessage()));
         }
     }
 
@@ -70,10 +78,11 @@ public final class DraftFiles {
         Problems problems = new Problems(ShareCode.NAME);
         Optional<ShareCode> read = ShareCode.read(code, problems);
         if (read.isEmpty()) {
-            throw new IOException(problems.inOrder().get(0).toString());
+            throw new Unreadable(problems.inOrder().get(0));
         }
         if (read.get().kind() != ShareCode.Kind.LEVEL) {
-            throw new IOException(ShareCode.NAME + ": is that of a replay");
+            Fault replay = Fault.of("replay", "is that of a replay");
+            throw Unreadable.of(ShareCode.NAME, Cause.CONTENT, replay);
         }
         Draft draft =
                 draft(ShareCode.NAME, new LevelLoader().parse(ShareCode.NAME, read.get().text()));

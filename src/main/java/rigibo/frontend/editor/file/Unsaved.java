@@ -1,5 +1,6 @@
 package rigibo.frontend.editor.file;
 
+import rigibo.frontend.document.Cause;
 import rigibo.frontend.document.Document;
 import rigibo.frontend.document.FileText;
 import rigibo.frontend.document.Problem;
@@ -28,7 +29,7 @@ public final class Unsaved {
     private static final String ENDING = ".unsaved.json";
 
     private final Path folder;
-    private final List<String> trouble = new ArrayList<>();
+    private final List<IOException> trouble = new ArrayList<>();
 
     /**
      * A draft that was left.
@@ -79,7 +80,7 @@ public final class Unsaved {
             }
             return left;
         } catch (IOException locked) {
-            trouble.add(kept + " cannot be read: " + locked.getMessage());
+            trouble.add(locked);
             return Optional.empty();
         }
     }
@@ -106,10 +107,11 @@ public final class Unsaved {
                     ? Optional.empty()
                     : Optional.of(new DraftFile(Draft.of(document.node("/level")), own));
         } catch (InvalidPathException foreign) {
-            document.error("/file", () -> "is no file of this system: " + foreign.getReason());
+            String words = "is no file of this system: " + foreign.getReason();
+            document.error(Cause.CONTENT, "/file", () -> words);
             return Optional.empty();
         } catch (IllegalArgumentException foreign) {
-            document.error("/level", foreign::getMessage);
+            document.error(Cause.CONTENT, "/level", foreign::getMessage);
             return Optional.empty();
         }
     }
@@ -117,14 +119,14 @@ public final class Unsaved {
     private void putAside(Path damaged, Problem first) {
         try {
             SafeFile.setAside(damaged);
-            trouble.add(first + "; the draft was set aside");
+            trouble.add(Unreadable.setAside(first));
         } catch (IOException readOnly) {
-            trouble.add(first + "; the draft stays where it is");
+            trouble.add(new Unreadable(first));
         }
     }
 
-    /** What could not be read, and what became of it, a sentence each. */
-    public List<String> trouble() {
+    /** What could not be read. */
+    public List<IOException> trouble() {
         return List.copyOf(trouble);
     }
 

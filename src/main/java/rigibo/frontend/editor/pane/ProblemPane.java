@@ -1,6 +1,7 @@
 package rigibo.frontend.editor.pane;
 
 import rigibo.frontend.editor.desk.Finding;
+import rigibo.frontend.puzzle.ProblemWords;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.widget.Lines;
@@ -86,12 +87,12 @@ public final class ProblemPane {
     }
 
     private static String name(Pane pane, Finding finding) {
-        return pane.words().of("editor.problem." + finding.code());
+        return ProblemWords.title(pane.words(), finding.problem());
     }
 
     /** What is wrong and what helps, in a sentence of the player's language. */
     public static String told(Pane pane, Finding finding) {
-        return pane.words().of("editor.problem." + finding.code() + ".told");
+        return ProblemWords.told(pane.words(), finding.problem());
     }
 
     /** A cross in a disc for an error, a bar in a ring for a warning: not by colour alone. */

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.document.Fault;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.level.Solution;
@@ -86,27 +87,35 @@ final class LevelCheck {
                         lost ->
                                 loaded.error(
                                         pointer,
-                                        "E151 wins only "
-                                                + trials.wins()
-                                                + " of "
-                                                + count
-                                                + " games with everything up to 10 mm aside and"
-                                                + " clicks up to 0.25 s late; lost "
-                                                + lost));
+                                        Fault.of(
+                                                trials.wins() == 0 ? "E151.never" : "E151",
+                                                "E151 wins only %s of %s games with everything up"
+                                                        + " to 10 mm aside and clicks up to 0.25 s"
+                                                        + " late; lost %s",
+                                                trials.wins(),
+                                                count,
+                                                lost)));
         NeededClicks.winner(level, solution, presets, games)
-                .ifPresent(words -> loaded.error(pointer, "E152 has a click too many: " + words));
+                .ifPresent(
+                        words ->
+                                loaded.error(
+                                        pointer,
+                                        Fault.of(
+                                                "E152.more",
+                                                "E152 has a click too many: %s",
+                                                words)));
     }
 
     private void star(Star star) {
         StarTrials trials = new StarTrials(level, star, presets, games);
         proved.add("secret star: " + trials.words());
-        trials.fault().ifPresent(words -> loaded.error("/star", words));
+        trials.fault().ifPresent(fault -> loaded.error("/star", fault));
     }
 
     private void singleClicks() {
         Optional<String> winner = new SingleClicks(level, presets, games).winner();
         winner.ifPresentOrElse(
-                words -> loaded.error("/rules/par", parIsTooLarge() + words),
+                words -> loaded.error("/rules/par", parIsTooLarge("E152.single", words)),
                 () -> proved.add("no single click wins"));
     }
 
@@ -120,7 +129,8 @@ final class LevelCheck {
                 .ifPresentOrElse(
                         clicks ->
                                 loaded.error(
-                                        "/rules/par", parIsTooLarge() + words(clicks) + " wins"),
+                                        "/rules/par",
+                                        parIsTooLarge("E152.order", words(clicks) + " wins")),
                         () -> {
                             proved.add(fewer(found.fewer()));
                             proved.add(share(found.wins()));
@@ -148,8 +158,8 @@ final class LevelCheck {
         proved.add(what + ": " + ids.size() + (ids.isEmpty() ? "" : " " + String.join(", ", ids)));
     }
 
-    private String parIsTooLarge() {
-        return "E152 par is " + level.limits().par() + ", but ";
+    private Fault parIsTooLarge(String kind, String words) {
+        return Fault.of(kind, "E152 par is %s, but %s", level.limits().par(), words);
     }
 
     private static String words(List<Act> clicks) {

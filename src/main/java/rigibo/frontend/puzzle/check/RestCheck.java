@@ -2,6 +2,7 @@ package rigibo.frontend.puzzle.check;
 
 import rigibo.backend.RigidBody;
 import rigibo.backend.geometry.Length;
+import rigibo.frontend.document.Fault;
 import rigibo.frontend.puzzle.level.Ball;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LoadedLevel;
@@ -11,7 +12,6 @@ import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.accuracy.Preset;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
@@ -89,14 +89,12 @@ final class RestCheck {
     private static void report(LoadedLevel loaded, String pointer, String what, double metres) {
         if (metres > SETTLING) {
             String words = "E160 not at rest before the first click: %s moves by %.0f mm in %.0f s";
+            double millimetres = metres * MILLIMETRES;
+            String kind = Double.isFinite(metres) ? "E160" : "E160.lost";
             loaded.error(
                     pointer,
-                    String.format(
-                            Locale.ROOT,
-                            words,
-                            what,
-                            metres * MILLIMETRES,
-                            Steps.seconds(LOOKING)));
+                    Fault.of(kind, words, what, millimetres, Steps.seconds(LOOKING))
+                            .naming(Math.round(millimetres)));
         }
     }
 }

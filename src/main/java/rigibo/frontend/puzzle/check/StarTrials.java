@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle.check;
 
+import rigibo.frontend.document.Fault;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.level.Star;
@@ -42,20 +43,30 @@ final class StarTrials {
     }
 
     /** What is wrong with the star, if anything is. */
-    Optional<String> fault() {
-        Optional<String> missed =
+    Optional<Fault> fault() {
+        Optional<Fault> missed =
                 games.stream()
                         .filter(game -> game.isAsStated() && !game.hasStar())
-                        .map(game -> "E154 its solution does not earn it " + game)
+                        .map(
+                                game ->
+                                        Fault.of(
+                                                "E154.missed",
+                                                "E154 its solution does not earn it %s",
+                                                game))
                         .findFirst();
         if (missed.isPresent()) {
             return missed;
         }
         if (2 * earned() <= games.size()) {
-            return Optional.of("E154 needs luck: " + words());
+            return Optional.of(
+                    Fault.of("E154.luck", "E154 needs luck: %s", words())
+                            .naming(earned(), games.size()));
         }
         return isShown
-                ? Optional.of("E154 is no secret: /solutions/0, which is shown, earns it")
+                ? Optional.of(
+                        Fault.of(
+                                "E154.shown",
+                                "E154 is no secret: /solutions/0, which is shown, earns it"))
                 : Optional.empty();
     }
 }

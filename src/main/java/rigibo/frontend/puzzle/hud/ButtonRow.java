@@ -35,6 +35,13 @@ final class ButtonRow {
         this.commands = List.copyOf(commands);
     }
 
+    /** Returns these buttons at other places, with the same one chosen. */
+    ButtonRow at(Grid places) {
+        ButtonRow moved = new ButtonRow(places, commands);
+        moved.chosen = chosen;
+        return moved;
+    }
+
     void draw(Canvas canvas, Words words) {
         for (int i = 0; i < commands.size(); i++) {
             Plate at = grid.place(i);

@@ -12,8 +12,8 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Grid;
-import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
+import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 
 import java.util.ArrayList;
@@ -23,41 +23,58 @@ import java.util.Optional;
 /** The panel at the end of a try: how it ended, what it earned, and what can be done next. */
 final class EndPanel {
 
-    private static final double WIDTH = 620;
-    private static final double LEFT = (Scene.WIDTH - WIDTH) / 2;
-    private static final double PADDING = 20;
-    private static final double MIDDLE = Scene.WIDTH / 2.0;
+    /** Over the play, px. */
+    private static final Plate OVER = new Plate((Scene.WIDTH - 620) / 2.0, 0, 620, 0);
 
-    /** Distance below what is drawn above the play, px. */
+    /** From the upper edge of the window to the plate beside the play, px. */
+    private static final double EDGE = 8;
+
+    private static final double PADDING = 20;
+
+    /** Distance from what is above and below the play, px. */
     private static final double GAP = 12;
 
     private static final double HEADLINE = 42;
     private static final double HEADLINE_SIZE = 34;
 
-    /** Distance from the panel's upper edge to the middle between headline and buttons, px. */
-    private static final double MEDALS = 104;
+    /** From the upper edge to the middle of the first prize, px. */
+    private static final double PRIZES = 104;
 
+    /** From the upper edge to the middle of the reason's first line, px. */
     private static final double REASON = 84;
 
-    /** From the line of the reason to that of a tip, px. */
-    private static final double TIP = 30;
+    private static final double REASON_SIZE = 20;
+    private static final double REASON_LINE = 26;
 
-    /** Height of the line that states a star. */
-    private static final double STATEMENT = 34;
+    /** What is told in small text below, px. */
+    private static final double TOLD_SIZE = 17;
 
-    /** Room that two lines of larger text need in a hand, px. */
-    private static final double MORE = 70;
+    private static final double TOLD_LINE = 22;
 
-    /** Between two lines, px. */
-    private static final double LINE = 22;
+    /** From the lower edge of what is above it to the middle of the first line, px. */
+    private static final double TO_TOLD = 18;
+
+    /** From what is above them to the buttons, px. */
+    private static final double TO_BUTTONS = 10;
+
+    /** From the left edge of the plate beside the play to the middle of a prize, px. */
+    private static final double INDENT = 56;
 
     private final PuzzleGame game;
     private final List<Command> ways;
     private final Optional<MedalStamps> stamps;
     private final Optional<StarStamp> star;
-    private double height;
-    private double top;
-    private Layout layout = Layout.ALONE;
+
+    /** Where the play begins, where the keys begin, and the highest ball on the screen, px. */
+    private double foot;
+
+    private double floor;
+    private double highestBall;
+
+    /** As it was last drawn. */
+    private Plate plate = Plate.NONE;
+
+    private Grid grid = Grid.of(Plate.NONE, 1, 0);
     private ButtonRow buttons;
 
     /**
@@ -75,16 +92,7 @@ final class EndPanel {
                         ? Optional.of(new MedalStamps(Medal.of(game.clicks(), par), par))
                         : Optional.empty();
         ways = ways(hasNext, exit);
-        place(layout, 0, Scene.HEIGHT, Scene.HEIGHT);
-    }
-
-    /** Distance from the panel's upper edge to its buttons, px. */
-    private double buttonsBelow() {
-        double statement = star.isPresent() ? STATEMENT : 0;
-        double tip = isTimed() ? TIP : 0;
-        double below = stamps.isPresent() ? MEDALS + 60 + statement : REASON + 24 + tip;
-        boolean hasMore = stamps.isPresent() ? star.isPresent() : isTimed();
-        return layout.isInHand() && hasMore ? below + MORE : below;
+        buttons = new ButtonRow(grid, ways);
     }
 
     /** Whether the time between clicks may have lost it, which a pause gives back. */
@@ -93,27 +101,51 @@ final class EndPanel {
     }
 
     /**
-     * Places the panel where the play begins, or above the keys if it would cover a ball.
+     * Takes where the panel may be in a window without room beside the play: where the play begins,
+     * or above the keys if it would cover a ball.
      *
-     * @param shown what the window shows
      * @param foot where the play begins, px
      * @param floor where the keys begin, px
      * @param highestBall on the screen, px
      */
-    void place(Layout shown, double foot, double floor, double highestBall) {
-        layout = shown;
-        Grid grid = grid();
-        height = buttonsBelow() + grid.height(ways.size()) + PADDING;
-        boolean isInTheWay = highestBall < foot + height + 2 * GAP;
-        top = isInTheWay ? floor - GAP - height : foot + GAP;
-        buttons = new ButtonRow(grid(), ways);
+    void place(double foot, double floor, double highestBall) {
+        this.foot = foot;
+        this.floor = floor;
+        this.highestBall = highestBall;
     }
 
-    /** Side by side; in a hand two and two. */
-    private Grid grid() {
-        double height = layout.clickable(ButtonRow.HEIGHT);
-        Plate row = new Plate(LEFT + PADDING, top + buttonsBelow(), WIDTH - 2 * PADDING, height);
-        return Grid.of(row, layout.isInHand() ? 2 : ways.size(), ButtonRow.GAP);
+    /** Puts the panel, whose buttons begin so far below its upper edge, where there is room. */
+    private void layOut(Layout layout, double toButtons) {
+        Plate width = width(layout);
+        double each = layout.clickable(ButtonRow.HEIGHT);
+        int columns = isBeside(layout) ? 1 : layout.isInHand() ? 2 : ways.size();
+        Plate row = new Plate(width.x() + PADDING, 0, width.width() - 2 * PADDING, each);
+        double rows = Grid.of(row, columns, ButtonRow.GAP).height(ways.size());
+        double height = toButtons + rows + PADDING;
+        plate = new Plate(width.x(), top(layout, height), width.width(), height);
+        Plate first = new Plate(row.x(), plate.y() + toButtons, row.width(), each);
+        Grid fitting = Grid.of(first, columns, ButtonRow.GAP);
+        if (!fitting.equals(grid)) {
+            grid = fitting;
+            buttons = buttons.at(grid);
+        }
+    }
+
+    private double top(Layout layout, double height) {
+        if (isBeside(layout)) {
+            return EDGE;
+        }
+        boolean isInTheWay = highestBall < foot + height + 2 * GAP;
+        return isInTheWay ? floor - GAP - height : foot + GAP;
+    }
+
+    /** Whether the window has room for it in the left column; what opens stands in the other. */
+    private static boolean isBeside(Layout layout) {
+        return layout.columns() == 2 && !layout.isInHand();
+    }
+
+    private static Plate width(Layout layout) {
+        return isBeside(layout) ? new Plate(layout.leftColumn(), 0, layout.columnWidth(), 0) : OVER;
     }
 
     boolean isOf(PuzzleGame other) {
@@ -139,8 +171,9 @@ final class EndPanel {
         return buttons;
     }
 
+    /** Whether a point lies on the panel as it was last drawn. */
     boolean contains(double x, double y) {
-        return x >= LEFT && x <= LEFT + WIDTH && y >= top && y <= top + height;
+        return plate.contains(x, y);
     }
 
     /** Called after each frame. */
@@ -150,20 +183,67 @@ final class EndPanel {
     }
 
     void draw(Canvas canvas, Words words, Motion motion) {
+        Layout layout = canvas.layout();
+        double room = width(layout).width() - 2 * PADDING;
+        Paragraph reason = Paragraph.of(canvas, reasons(words), REASON_SIZE, REASON_LINE, room);
+        Paragraph told = told(canvas, told(words, layout), room);
+        double end = stamps.isPresent() ? prizes(layout, 0).bottom(count()) : reason.bottom(REASON);
+        double first = end + layout.lettered(TO_TOLD);
+        double later = told(canvas, toldLater(words), room).bottom(first);
+        double bottom = Math.max(end, Math.max(told.bottom(first), later));
+        layOut(layout, bottom + layout.lettered(TO_BUTTONS));
+        drawPlate(canvas, words);
+        PrizePlaces prizes = prizes(layout, plate.y());
+        stamps.ifPresent(medals -> medals.draw(canvas, words, prizes, motion));
+        star.ifPresent(one -> one.draw(canvas, words, prizes, motion));
+        reason.draw(canvas, middle(), plate.y() + REASON, Color.TEXT);
+        told.draw(canvas, middle(), plate.y() + first, Color.BRASS);
+        buttons.draw(canvas, words);
+    }
+
+    private static Paragraph told(Canvas canvas, String words, double room) {
+        return Paragraph.of(canvas, words, TOLD_SIZE, TOLD_LINE, room);
+    }
+
+    /** What is told once the star is stamped, for which there is room from the start. */
+    private String toldLater(Words words) {
+        return star.map(one -> one.told(words)).orElse("");
+    }
+
+    /** Why it ended, if that earned nothing. */
+    private String reasons(Words words) {
+        return stamps.isPresent() ? "" : words.of(reason());
+    }
+
+    /** What is told in small text: what the star takes, or how to gain time. */
+    private String told(Words words, Layout layout) {
+        if (isTimed()) {
+            return words.of(layout.isInHand() ? "puzzle.short.pause" : "puzzle.loss.pause");
+        }
+        return star.map(one -> one.statement(words)).orElse("");
+    }
+
+    private int count() {
+        return Medal.values().length + (star.isPresent() ? 1 : 0);
+    }
+
+    /** Places of the medals, and of the star as one more after them, below an upper edge, px. */
+    private PrizePlaces prizes(Layout layout, double top) {
+        return isBeside(layout)
+                ? new PrizePlaces(plate.x() + INDENT, top + PRIZES, false)
+                : PrizePlaces.across(middle(), top + PRIZES, count());
+    }
+
+    private double middle() {
+        return plate.x() + plate.width() / 2;
+    }
+
+    private void drawPlate(Canvas canvas, Words words) {
         boolean isWon = game.outcome() == Outcome.WON;
         Color edge = game.isSolved() ? Color.GOOD : isWon ? Color.BRASS : Color.BAD;
-        canvas.panel(LEFT, top, WIDTH, height, 18, Color.PANEL);
-        canvas.frame(LEFT, top, WIDTH, height, 18, edge);
+        canvas.panel(plate.x(), plate.y(), plate.width(), plate.height(), 18, Color.PANEL);
+        canvas.frame(plate.x(), plate.y(), plate.width(), plate.height(), 18, edge);
         drawHeadline(canvas, headline(words), edge, isWon);
-        if (stamps.isPresent()) {
-            drawPrizes(canvas, words, stamps.get(), motion);
-        } else {
-            text(canvas, words.of(reason()), top + REASON, 20, Color.TEXT);
-            if (isTimed()) {
-                drawTip(canvas, words);
-            }
-        }
-        buttons.draw(canvas, words);
     }
 
     private String headline(Words words) {
@@ -181,33 +261,6 @@ final class EndPanel {
         buttons.describe(narrator, words);
     }
 
-    private void drawTip(Canvas canvas, Words words) {
-        if (layout.isInHand()) {
-            double y = top + REASON + layout.lettered(TIP);
-            lines(canvas, words.of("puzzle.short.pause"), y);
-        } else {
-            text(canvas, words.of("puzzle.loss.pause"), top + REASON + TIP, 17, Color.BRASS);
-        }
-    }
-
-    /** Draws the medals, and the star as one more beside them. */
-    private void drawPrizes(Canvas canvas, Words words, MedalStamps medals, Motion motion) {
-        double aside = star.isPresent() ? MedalStamps.COLUMN / 2 : 0;
-        double y = top + MEDALS;
-        medals.draw(canvas, words, MIDDLE - aside, y, motion);
-        if (star.isPresent()) {
-            double x = MIDDLE - aside + 2 * MedalStamps.COLUMN;
-            star.get().draw(canvas, words, x, y, motion);
-            double line = y + MedalStamps.WORDS_BELOW + STATEMENT - 4;
-            if (layout.isInHand()) {
-                lines(canvas, star.get().statement(words), line + STATEMENT / 3);
-            } else {
-                double room = WIDTH - 2 * PADDING;
-                text(canvas, star.get().statement(canvas, words, room), line, 17, Color.BRASS);
-            }
-        }
-    }
-
     /** The reason for a loss, or for a win that does not count. */
     private String reason() {
         return game.loss().map(EndPanel::key).orElse("puzzle.experiment.end");
@@ -218,28 +271,15 @@ final class EndPanel {
     }
 
     private void drawHeadline(Canvas canvas, String headline, Color color, boolean isWon) {
-        double y = top + HEADLINE;
+        double y = plate.y() + HEADLINE;
         double half = canvas.textWidth(headline, HEADLINE_SIZE, Canvas.Font.WORDS) / 2;
-        text(canvas, headline, y, HEADLINE_SIZE, Color.TEXT);
-        double x = MIDDLE - half - 34;
+        Print.centred(canvas, headline, middle(), y, HEADLINE_SIZE, Color.TEXT);
+        double x = middle() - half - 34;
         canvas.ring(x, y, 15, 4, 1, color);
         if (isWon) {
             Sign.tick(canvas, x, y, 7, 3, color);
         } else {
             Sign.cross(canvas, x, y, 6, 3, color);
         }
-    }
-
-    /** Lines of small text below each other, the first of them at a height, px. */
-    private static void lines(Canvas canvas, String words, double y) {
-        double at = y;
-        for (String line : Lines.of(canvas, words, 17, Canvas.Font.WORDS, WIDTH - 2 * PADDING)) {
-            text(canvas, line, at, 17, Color.BRASS);
-            at += canvas.layout().lettered(LINE);
-        }
-    }
-
-    private static void text(Canvas canvas, String words, double y, double size, Color color) {
-        canvas.text(words, MIDDLE, y, size, Canvas.Font.WORDS, Canvas.Align.CENTRE, color);
     }
 }

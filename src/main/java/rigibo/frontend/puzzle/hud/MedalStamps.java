@@ -21,12 +21,6 @@ final class MedalStamps {
 
     static final double RADIUS = 24;
 
-    /** Distance between the middles of two, px. */
-    static final double COLUMN = 148;
-
-    /** Distance from a medal's middle to that of its words, px. */
-    static final double WORDS_BELOW = 46;
-
     /** Factor by which a stamp is larger when it begins to fall. */
     private static final double HEIGHT = 1.5;
 
@@ -53,23 +47,20 @@ final class MedalStamps {
         turns++;
     }
 
-    /** Draws them about a place, px. */
-    void draw(Canvas canvas, Words words, double x, double y, Motion motion) {
+    /** Draws them at the first places. */
+    void draw(Canvas canvas, Words words, PrizePlaces places, Motion motion) {
         Medal[] medals = Medal.values();
         for (int i = 0; i < medals.length; i++) {
             Medal medal = medals[medals.length - 1 - i];
-            double column = x + (i - 1) * COLUMN;
             int age = turns - (i + 1) * APART;
             boolean isStamped = medal.compareTo(earned) >= 0 && age >= 0;
-            canvas.ring(column, y, RADIUS, 2, 1, Color.EDGE);
+            canvas.ring(places.x(i), places.y(i), RADIUS, 2, 1, Color.EDGE);
             if (isStamped) {
-                draw(canvas, medal, column, y, RADIUS * scale(age, motion));
+                draw(canvas, medal, places.x(i), places.y(i), RADIUS * scale(age, motion));
             }
             String kind = canvas.layout().isInHand() ? "puzzle.short." : "puzzle.medal.";
-            String what = told(words, kind, medal);
             Color ink = isStamped ? Color.TEXT : Color.TEXT_DIM;
-            canvas.text(
-                    what, column, y + WORDS_BELOW, 16, Canvas.Font.WORDS, Canvas.Align.CENTRE, ink);
+            places.drawWords(canvas, told(words, kind, medal), i, ink);
         }
     }
 

@@ -121,9 +121,9 @@ public final class Panels {
                         .orElse(Scene.HEIGHT);
         if (layout.isInHand() && layout.isUpright()) {
             HandPlaces places = HandPlaces.of(layout, MOST_IN_HAND);
-            panel.place(layout, places.bar().bottom(), places.keys().first().y(), highest);
+            panel.place(places.bar().bottom(), places.keys().first().y(), highest);
         } else {
-            panel.place(layout, foot(), View.KEYS_TOP, highest);
+            panel.place(foot(), View.KEYS_TOP, highest);
         }
     }
 

@@ -6,7 +6,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
-import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 
 /**
@@ -49,28 +49,21 @@ final class StarStamp {
         return isEarnedNow || isFound ? text : words.of("puzzle.star.hidden");
     }
 
-    /** Draws it about a place, px. */
-    void draw(Canvas canvas, Words words, double x, double y, Motion motion) {
+    /** Draws it at the place after the medals. */
+    void draw(Canvas canvas, Words words, PrizePlaces places, Motion motion) {
+        int place = Medal.values().length;
+        double x = places.x(place);
+        double y = places.y(place);
         if (isSeen()) {
             double scale = isEarnedNow ? MedalStamps.scale(turns - DUE, motion) : 1;
             Sign.star(canvas, x, y, 1.2 * MedalStamps.RADIUS * scale, Color.BRASS);
         } else {
             Sign.outlinedStar(canvas, x, y, 1.1 * MedalStamps.RADIUS, 2, Color.EDGE);
-            text(canvas, "?", x, y + 2, 20, Color.TEXT_DIM);
+            Print.centred(canvas, "?", x, y + 2, 20, Color.TEXT_DIM);
         }
         Color ink = isSeen() ? Color.TEXT : Color.TEXT_DIM;
         String name = words.of(canvas.layout().isInHand() ? "puzzle.short.star" : "puzzle.star");
-        text(canvas, name, x, y + MedalStamps.WORDS_BELOW, 16, ink);
-    }
-
-    private static void text(
-            Canvas canvas, String words, double x, double y, double size, Color color) {
-        canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.CENTRE, color);
-    }
-
-    /** What it takes, as far as the player may know, within a width, px. */
-    String statement(Canvas canvas, Words words, double width) {
-        return Lines.shortened(canvas, statement(words), 17, Canvas.Font.WORDS, width);
+        places.drawWords(canvas, name, place, ink);
     }
 
     /** What it takes, as far as the player may know. */

@@ -3,9 +3,11 @@ package rigibo.frontend.puzzle.hud;
 import rigibo.frontend.puzzle.replay.Verdict;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 
 import java.util.List;
@@ -14,7 +16,6 @@ import java.util.List;
 final class VerdictPlate {
 
     private static final double EDGE = 8;
-    private static final double WIDTH = Scene.WIDTH - 2 * EDGE;
     private static final double SIZE = 17;
     private static final double LINE = 22;
 
@@ -26,24 +27,27 @@ final class VerdictPlate {
     private VerdictPlate() {}
 
     /**
-     * Draws it at the upper end of the play.
+     * Draws it at the upper end of the play, or beside it where the window has room.
      *
      * @param foot where the play begins, px
      */
     static void draw(Canvas canvas, Words words, Verdict verdict, double foot) {
+        Layout layout = canvas.layout();
+        boolean isBeside = layout.columns() == 2 && !layout.isInHand();
+        double left = isBeside ? layout.leftColumn() : EDGE;
+        double width = isBeside ? layout.columnWidth() : Scene.WIDTH - 2 * EDGE;
+        double top = isBeside ? EDGE : foot + 6;
         String said = verdict.in(words);
-        List<String> lines = Lines.of(canvas, said, SIZE, Canvas.Font.WORDS, WIDTH - ICON - GAP);
-        double top = foot + 6;
-        double line = canvas.layout().lettered(LINE);
+        List<String> lines = Lines.of(canvas, said, SIZE, Canvas.Font.WORDS, width - ICON - GAP);
+        double line = layout.lettered(LINE);
         double height = lines.size() * line + 16;
         Color color = verdict.isSame() ? Color.GOOD : Color.BAD;
-        canvas.panel(EDGE, top, WIDTH, height, 14, Color.PANEL);
-        canvas.frame(EDGE, top, WIDTH, height, 14, color);
-        drawIcon(canvas, EDGE + 26, top + height / 2, verdict.isSame(), color);
+        canvas.panel(left, top, width, height, 14, Color.PANEL);
+        canvas.frame(left, top, width, height, 14, color);
+        drawIcon(canvas, left + 26, top + height / 2, verdict.isSame(), color);
         double y = top + 8 + line / 2;
         for (String part : lines) {
-            double left = EDGE + ICON;
-            canvas.text(part, left, y, SIZE, Canvas.Font.WORDS, Canvas.Align.LEFT, Color.TEXT);
+            Print.left(canvas, part, left + ICON, y, SIZE, Color.TEXT);
             y += line;
         }
     }

@@ -2,11 +2,11 @@ package rigibo.frontend.puzzle.level;
 
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 
 /**
@@ -101,13 +101,15 @@ final class ApartRules {
         }
         double depth = Overlap.depth(a, b);
         if (depth > TOUCHING) {
-            json.error(second.pointer(), () -> words(a.body().name(), depth));
+            json.error(second.pointer(), () -> fault(first, depth));
         }
     }
 
-    private static String words(String other, double depth) {
-        String words = "E120 overlaps %s at the start by %.1f mm";
-        return String.format(Locale.ROOT, words, quoted(other), depth * MILLIMETRES);
+    private static Fault fault(Placed other, double depth) {
+        double millimetres = depth * MILLIMETRES;
+        String name = quoted(other.print().body().name());
+        return Fault.of("E120", "E120 overlaps %s at the start by %.1f mm", name, millimetres)
+                .naming(LevelJoint.shown(other.end()), (int) Math.ceil(millimetres));
     }
 
     private static String quoted(String name) {

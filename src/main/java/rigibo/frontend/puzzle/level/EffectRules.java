@@ -15,6 +15,7 @@ import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.SurfaceSpeed;
 import rigibo.backend.effect.Thrust;
 import rigibo.backend.setup.Material;
+import rigibo.frontend.document.Fault;
 
 import tools.jackson.databind.JsonNode;
 
@@ -151,14 +152,16 @@ final class EffectRules {
     }
 
     private void unused(String title) {
-        warn("the effect " + title + " is declared, but nothing uses it");
+        String words = "E140 the effect %s is declared, but nothing uses it";
+        warn(Fault.of("E140.unused", words, title), title);
     }
 
     private void undeclared(String title, String use) {
-        warn("the effect " + title + " is not declared, but " + use);
+        String words = "E140 the effect %s is not declared, but %s";
+        warn(Fault.of("E140.missing", words, title, use), title);
     }
 
-    private void warn(String words) {
-        sketch.json().warning(POINTER, () -> "E140 " + words);
+    private void warn(Fault fault, String title) {
+        sketch.json().warning(POINTER, () -> fault.naming("@effect." + title));
     }
 }

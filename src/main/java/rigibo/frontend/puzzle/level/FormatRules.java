@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 
 import tools.jackson.databind.JsonNode;
 
@@ -51,6 +52,8 @@ final class FormatRules {
     }
 
     private static void tell(Document json, String pointer, String what) {
-        json.error(pointer, () -> "E103 " + what + " needs format 2, this file states 1");
+        json.error(
+                pointer,
+                () -> Fault.of("E103", "E103 %s needs format 2, this file states 1", what));
     }
 }

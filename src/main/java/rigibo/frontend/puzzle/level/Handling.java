@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 
 import tools.jackson.databind.JsonNode;
 
@@ -64,22 +65,35 @@ public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charg
         JsonNode node = json.node(at.pointer());
         String pointer = at.pointer();
         if (node.path("deletable").asBoolean(false) && node.has("click")) {
-            json.error(pointer, () -> "E124 is deletable and has another \"click\"");
+            tell(json, pointer, "E124.twice", "E124 is deletable and has another \"click\"");
         }
         boolean runs = body.material().surfaceSpeed() != 0 || body.source().isThere();
         if (body.does(Verb.SWITCH) && !runs) {
-            json.error(pointer, () -> "E124 a click switches a belt, a fan or a magnet only");
+            tell(
+                    json,
+                    pointer,
+                    "E124.switch",
+                    "E124 a click switches a belt, a fan or a magnet only");
         }
         if (body.source().isThere() && body.mobility() != LevelBody.Mobility.STATIC) {
-            json.error(pointer, () -> "E127 a fan or magnet stays where it is: not \"dynamic\"");
+            tell(json, pointer, "E127", "E127 a fan or magnet stays where it is: not \"dynamic\"");
         }
         boolean needsMotion = body.does(Verb.FREEZE) || body.does(Verb.LIGHT);
         if (needsMotion && !body.isDynamic()) {
             String verb = body.verb().orElseThrow().title();
-            json.error(pointer, () -> "E124 a click cannot " + verb + " what forces do not move");
+            tell(
+                    json,
+                    pointer,
+                    "E124.still",
+                    "E124 a click cannot %s what forces do not move",
+                    verb);
         }
         if (body.does(Verb.LIGHT) != body.handling().charge().isPresent()) {
-            json.error(pointer, () -> "E126 a \"blast\" belongs to a body that a click lights");
+            tell(
+                    json,
+                    pointer,
+                    "E126.blast",
+                    "E126 a \"blast\" belongs to a body that a click lights");
         }
         switching(json, pointer, body.does(Verb.SWITCH));
     }
@@ -87,7 +101,12 @@ public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charg
     /** E126: only what a click switches can begin on or off. */
     static void switching(Document json, String pointer, boolean isSwitch) {
         if (json.node(pointer).has("on") && !isSwitch) {
-            json.error(pointer + "/on", () -> "E126 \"on\" belongs to what a click switches");
+            tell(json, pointer + "/on", "E126.on", "E126 \"on\" belongs to what a click switches");
         }
+    }
+
+    private static void tell(
+            Document json, String pointer, String kind, String words, Object... values) {
+        json.error(pointer, () -> Fault.of(kind, words, values));
     }
 }

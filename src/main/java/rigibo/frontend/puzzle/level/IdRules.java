@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 import rigibo.frontend.document.Place;
 import rigibo.frontend.document.Suggestion;
 
@@ -54,8 +55,9 @@ final class IdRules {
         }
     }
 
-    private static String twice(String kind, JsonNode id, Place first) {
-        return "E101 " + kind + " id " + id + " is used twice (first at " + first + ")";
+    private static Fault twice(String kind, JsonNode id, Place first) {
+        String words = "E101 %s id %s is used twice (first at %s)";
+        return Fault.of("E101", words, kind, id, first).naming(id.asString());
     }
 
     /**
@@ -72,12 +74,13 @@ final class IdRules {
         }
     }
 
-    private String unknown(String kind, String list, String id) {
+    private Fault unknown(String kind, String list, String id) {
         Set<String> known =
                 ids.entrySet().stream()
                         .filter(entry -> entry.getValue().startsWith(list))
                         .map(Map.Entry::getKey)
                         .collect(Collectors.toSet());
-        return "E102 no " + kind + " has the id \"" + id + "\"" + Suggestion.among(known, id);
+        String words = "E102 no %s has the id \"%s\"%s";
+        return Fault.of("E102", words, kind, id, Suggestion.among(known, id)).naming(id);
     }
 }

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.backend.effect.Joints;
+import rigibo.frontend.document.Fault;
 import rigibo.frontend.document.Suggestion;
 
 import tools.jackson.databind.JsonNode;
@@ -51,7 +52,7 @@ final class JointRules {
                 sketch.world().map(at -> at.part().effects().declares(Joints.class)).orElse(true);
         if (!isDeclared && !sketch.joints().isEmpty()) {
             String words = "E119 joints need the effect \"joints\" among /world/effects";
-            sketch.json().error(sketch.joints().get(0).pointer(), () -> words);
+            tell(sketch.joints().get(0).pointer(), Fault.of("E119", words));
         }
         sketch.joints().forEach(this::check);
     }
@@ -61,14 +62,17 @@ final class JointRules {
         boolean areKnown = isKnown(at.pointer() + "/a", joint.a());
         areKnown &= isKnown(at.pointer() + "/b", joint.b());
         if (areKnown && joint.a().equals(joint.b())) {
-            tell(at.pointer(), "E118 joins \"" + joint.a() + "\" with itself");
+            String words = "E118 joins \"%s\" with itself";
+            tell(
+                    at.pointer(),
+                    Fault.of("E118.itself", words, joint.a()).naming(LevelJoint.shown(joint.a())));
         } else if (areKnown && !ends.get(joint.a()) && !ends.get(joint.b())) {
-            tell(at.pointer(), "E118 joins two bodies that forces do not move");
+            tell(at.pointer(), Fault.of("E118", "E118 joins two bodies that forces do not move"));
         }
         if (joint.type() == LevelJoint.Type.ROPE && joint.length() < joint.span() - ROUNDED) {
             String words = "E122 a rope of %.3f m between ends that are %.3f m apart";
-            double span = joint.span();
-            tell(at.pointer() + "/length", String.format(Locale.ROOT, words, joint.length(), span));
+            Fault fault = Fault.of("E122", words, joint.length(), joint.span());
+            tell(at.pointer() + "/length", fault);
         }
         limits(at);
         click(at);
@@ -80,7 +84,8 @@ final class JointRules {
         boolean isSwitch = at.part().handling().does(Verb.SWITCH);
         Handling.switching(sketch.json(), at.pointer(), isSwitch);
         if (isSwitch && !at.part().settings().motor().drives()) {
-            tell(at.pointer(), "E124 a click cannot switch a joint without a motor");
+            String words = "E124 a click cannot switch a joint without a motor";
+            tell(at.pointer(), Fault.of("E124.motor", words));
         }
         if (verb.isEmpty()) {
             return;
@@ -89,22 +94,19 @@ final class JointRules {
         if (!verb.get().actsOn(type)) {
             String words = "E124 a click cannot %s a %s";
             String kind = type.name().toLowerCase(Locale.ROOT);
-            tell(at.pointer() + "/click", String.format(words, verb.get().title(), kind));
+            Fault fault = Fault.of("E124", words, verb.get().title(), kind);
+            tell(at.pointer() + "/click", fault);
         }
         if (at.part().id().isEmpty()) {
-            tell(at.pointer(), "E125 what can be clicked needs an \"id\"");
+            tell(at.pointer(), Fault.of("E125", "E125 what can be clicked needs an \"id\""));
         }
     }
 
     private boolean isKnown(String pointer, String end) {
         boolean isKnown = ends.containsKey(end);
         if (!isKnown) {
-            tell(
-                    pointer,
-                    "E102 nothing is called \""
-                            + end
-                            + "\""
-                            + Suggestion.among(ends.keySet(), end));
+            String meant = Suggestion.among(ends.keySet(), end);
+            tell(pointer, Fault.of("E102", "E102 nothing is called \"%s\"%s", end, meant));
         }
         return isKnown;
     }
@@ -120,12 +122,12 @@ final class JointRules {
         double start = at.part().type().hasTwoPoints() ? at.part().span() : 0;
         if (!(lower <= start && start <= upper)) {
             String words = "E123 begins at %s, outside of its limits %s to %s";
-            tell(at.pointer() + "/limits", String.format(words, start, lower, upper));
+            tell(at.pointer() + "/limits", Fault.of("E123", words, start, lower, upper));
         }
     }
 
-    private void tell(String pointer, String words) {
-        sketch.json().error(pointer, () -> words);
+    private void tell(String pointer, Fault fault) {
+        sketch.json().error(pointer, () -> fault);
     }
 
     /** Pairs of ends that never meet, each in both orders, with a blank between them. */

@@ -83,6 +83,14 @@ public record LevelJoint(
         return index == 0 ? "ball" : "ball" + (index + 1);
     }
 
+    /** What players are told of an end: a body's id, or a word of the bundles after {@code @}. */
+    static String shown(String end) {
+        if (end.equals(PLATFORM)) {
+            return "@editor.platform";
+        }
+        return ball(end).isPresent() ? "@editor.ball" : end;
+    }
+
     /** Which ball a name is of, from 0; none where it is the platform's or a body's. */
     public static Optional<Integer> ball(String name) {
         if (name.equals(ball(0))) {

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 
 import tools.jackson.databind.JsonNode;
 
@@ -81,7 +82,7 @@ record LevelSketch(
             return part(json, "/world", LevelReader::world);
         } catch (IllegalArgumentException refused) {
             String pointer = "/world/effects";
-            json.error(pointer, refused::getMessage);
+            json.error(pointer, () -> Fault.of("schema", "%s", refused.getMessage()));
             return Optional.empty();
         }
     }

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 import rigibo.frontend.document.Problem;
 import rigibo.frontend.document.Problems;
 
@@ -53,7 +54,7 @@ public final class LoadedLevel {
      *
      * @param pointer JSON pointer of the value at fault
      */
-    public void error(String pointer, String message) {
-        document.ifPresent(at -> at.error(pointer, () -> message));
+    public void error(String pointer, Fault fault) {
+        document.ifPresent(at -> at.error(pointer, () -> fault));
     }
 }

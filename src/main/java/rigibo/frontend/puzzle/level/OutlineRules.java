@@ -2,10 +2,10 @@ package rigibo.frontend.puzzle.level;
 
 import rigibo.backend.geometry.Length;
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 
 import tools.jackson.databind.JsonNode;
 
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -42,9 +42,7 @@ final class OutlineRules {
         double round = node.path("round").asDouble(0);
         if (round > most) {
             String large = "E112 corners too round: %.3f m, at most %.3f of a box %.3f m wide";
-            level.error(
-                    pointer + "/round",
-                    () -> String.format(Locale.ROOT, large, round, most, smaller));
+            level.error(pointer + "/round", () -> Fault.of("E112", large, round, most, smaller));
         }
         return round <= most;
     }
@@ -63,8 +61,7 @@ final class OutlineRules {
         double area = Outline.signedArea(points);
         if (!(Math.abs(area) >= LEAST_AREA)) {
             String small = "E111 area too small: %.4f m², at least %.4f";
-            level.error(
-                    pointer, () -> String.format(Locale.ROOT, small, Math.abs(area), LEAST_AREA));
+            level.error(pointer, () -> Fault.of("E111", small, Math.abs(area), LEAST_AREA));
             return false;
         }
         int reflex = reflexCorner(points, Math.signum(area));
@@ -81,22 +78,19 @@ final class OutlineRules {
             // A star turns left at every corner, and only the engine sees that it goes round twice;
             // of a chain it names the edges that are too short or cross.
             boolean isChain = level.node(pointer + "/type").asString("").equals("chain");
-            String what = isChain ? "E113 no landscape: " : "E110 polygon not convex: ";
-            level.error(pointer + "/points", () -> what + refused.getMessage());
+            String kind = isChain ? "E113" : "E110";
+            String what = isChain ? "E113 no landscape: %s" : "E110 polygon not convex: %s";
+            level.error(pointer + "/points", () -> Fault.of(kind, what, refused.getMessage()));
             return Optional.empty();
         }
     }
 
     private static void notConvex(Document level, String pointer) {
         JsonNode point = level.node(pointer);
-        level.error(
-                pointer,
-                () ->
-                        "E110 polygon not convex at the point ("
-                                + point.path(0).asDouble()
-                                + ", "
-                                + point.path(1).asDouble()
-                                + ")");
+        String words = "E110 polygon not convex at the point (%s, %s)";
+        double x = point.path(0).asDouble();
+        double y = point.path(1).asDouble();
+        level.error(pointer, () -> Fault.of("E110", words, x, y));
     }
 
     /** The first corner that does not turn the way the polygon goes round, or -1. */

@@ -3,10 +3,9 @@ package rigibo.frontend.puzzle.level;
 import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Length;
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 
 import tools.jackson.databind.JsonNode;
-
-import java.util.Locale;
 
 /**
  * E115: a chain is dynamic; E116: a body with a path is declared dynamic; E117: a path has a leg of
@@ -32,7 +31,12 @@ final class PathRules {
         boolean canBe = !(outline.shape() instanceof Chain && isDynamic);
         if (!canBe) {
             json.error(
-                    pointer, () -> "E115 a chain has no mass: state \"dynamic\": false, or a path");
+                    pointer,
+                    () ->
+                            Fault.of(
+                                    "E115",
+                                    "E115 a chain has no mass: state \"dynamic\": false, or a"
+                                            + " path"));
         }
         return canBe;
     }
@@ -43,7 +47,11 @@ final class PathRules {
             sketch.json()
                     .error(
                             body.pointer() + "/dynamic",
-                            () -> "E116 a body with a path is driven and cannot be dynamic");
+                            () ->
+                                    Fault.of(
+                                            "E116",
+                                            "E116 a body with a path is driven and cannot be"
+                                                    + " dynamic"));
         }
         double x = body.part().x();
         double y = body.part().y();
@@ -61,8 +69,7 @@ final class PathRules {
     private static void requireWay(LevelSketch sketch, String pointer, double metres) {
         if (metres < LEAST_WAY) {
             String words = "E117 a way of %.4f m, at least %.2f: it is where the body comes from";
-            sketch.json()
-                    .error(pointer, () -> String.format(Locale.ROOT, words, metres, LEAST_WAY));
+            sketch.json().error(pointer, () -> Fault.of("E117", words, metres, LEAST_WAY));
         }
     }
 }

@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.frontend.document.Fault;
+
 /**
  * E130: nothing can be clicked; E131: a body can be deleted that never moves and holds no joint.
  */
@@ -15,7 +17,7 @@ final class PieceRules {
                         || sketch.joints().stream().anyMatch(at -> at.part().verb().isPresent());
         if (!hasClickable && !hasUnread && sketch.json().node("/bodies").isArray()) {
             String pointer = "/bodies";
-            sketch.json().error(pointer, () -> "E130 nothing can be clicked");
+            sketch.json().error(pointer, () -> Fault.of("E130", "E130 nothing can be clicked"));
         }
         for (Located<LevelBody> body : sketch.bodies()) {
             Handling.check(sketch.json(), body);
@@ -25,9 +27,10 @@ final class PieceRules {
                         .warning(
                                 body.pointer(),
                                 () ->
-                                        "E131 body \""
-                                                + body.part().id()
-                                                + "\" never moves but can be deleted");
+                                        Fault.of(
+                                                "E131",
+                                                "E131 body \"%s\" never moves but can be deleted",
+                                                body.part().id()));
             }
         }
     }

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
 import rigibo.frontend.document.Document;
+import rigibo.frontend.document.Fault;
 
 import java.util.List;
 
@@ -20,17 +21,15 @@ final class SolutionRules {
                 requireCooled(sketch.json(), solution, i, limits.cooldown());
             }
             if (clicks.size() < limits.par()) {
-                String pointer = "/rules/par";
+                String words = "E152 par is %s, but %s needs only %s";
+                int par = limits.par();
+                int count = clicks.size();
                 sketch.json()
                         .error(
-                                pointer,
+                                "/rules/par",
                                 () ->
-                                        "E152 par is "
-                                                + limits.par()
-                                                + ", but "
-                                                + solution.pointer()
-                                                + " needs only "
-                                                + clicks.size());
+                                        Fault.of("E152", words, par, solution.pointer(), count)
+                                                .naming(par, count));
             }
         }
     }
@@ -41,14 +40,8 @@ final class SolutionRules {
         double next = solution.part().clicks().get(i).seconds();
         if (Steps.of(next) - Steps.of(last) < Steps.of(cooldown)) {
             String pointer = solution.pointer() + "/clicks/" + i + "/t";
-            json.error(
-                    pointer,
-                    () ->
-                            "E150 clicks at "
-                                    + next
-                                    + " s, during the cooldown that lasts until "
-                                    + (last + cooldown)
-                                    + " s");
+            String words = "E150 clicks at %s s, during the cooldown that lasts until %s s";
+            json.error(pointer, () -> Fault.of("E150", words, next, last + cooldown));
         }
     }
 }

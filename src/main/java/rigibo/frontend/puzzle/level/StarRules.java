@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.frontend.document.Fault;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -18,10 +20,10 @@ final class StarRules {
         sketch.star()
                 .filter(star -> !sketch.json().isSpoilt(star.pointer()))
                 .flatMap(star -> rules.fault(star.part().feat()))
-                .ifPresent(fault -> sketch.json().error(LevelSketch.STAR, () -> "E153 " + fault));
+                .ifPresent(fault -> sketch.json().error(LevelSketch.STAR, () -> fault));
     }
 
-    private Optional<String> fault(Feat feat) {
+    private Optional<Fault> fault(Feat feat) {
         if (feat instanceof Feat.Clicks clicks) {
             return sketch.limits().flatMap(limits -> clicks(clicks.count(), limits.part()));
         }
@@ -31,27 +33,30 @@ final class StarRules {
         if (feat instanceof Feat.AvoidMaterial avoid) {
             boolean isThere =
                     bodies().stream().anyMatch(body -> body.substance() == avoid.material());
-            return told(!isThere, "nothing is of " + avoid.material().title());
+            String title = avoid.material().title();
+            return told(!isThere, "E153.material", "nothing is of %s", title)
+                    .map(fault -> fault.naming("@editor.material." + title));
         }
         if (feat instanceof Feat.Keep keep) {
             boolean stays =
                     bodies().stream()
                             .anyMatch(body -> body.id().equals(keep.body()) && stays(body));
-            return told(stays, "\"" + keep.body() + "\" stays in the world in any game");
+            return told(stays, "E153.keep", "\"%s\" stays in the world in any game", keep.body());
         }
         if (feat instanceof Feat.Clear) {
             boolean isAny = bodies().stream().anyMatch(LevelBody::deletable);
-            return told(!isAny, "nothing can be deleted");
+            return told(!isAny, "E153.clear", "nothing can be deleted");
         }
         if (feat instanceof Feat.Inside) {
             boolean isAny = bodies().stream().anyMatch(LevelBody::isDynamic);
-            return told(!isAny, "no body can fall out of the world");
+            return told(!isAny, "E153.inside", "no body can fall out of the world");
         }
         return feat instanceof Feat.First first ? first(first.target()) : Optional.empty();
     }
 
-    private static Optional<String> told(boolean isFault, String words) {
-        return isFault ? Optional.of(words) : Optional.empty();
+    private static Optional<Fault> told(
+            boolean isFault, String kind, String words, Object... values) {
+        return isFault ? Optional.of(Fault.of(kind, "E153 " + words, values)) : Optional.empty();
     }
 
     private List<LevelBody> bodies() {
@@ -62,34 +67,33 @@ final class StarRules {
         return !body.isDynamic() && body.verb().filter(Verb.DELETE::equals).isEmpty();
     }
 
-    private Optional<String> clicks(int count, Limits limits) {
+    private Optional<Fault> clicks(int count, Limits limits) {
         OptionalInt most = limits.maxClicks();
         if (count < limits.par()) {
-            return Optional.of(
-                    "no game is solved with " + count + " clicks, par is " + limits.par());
+            String words = "no game is solved with %s clicks, par is %s";
+            return told(true, "E153.par", words, count, limits.par());
         }
         if (most.isPresent() && count > most.getAsInt()) {
-            return Optional.of(count + " clicks are more than the rules allow");
+            return told(true, "E153.rules", "%s clicks are more than the rules allow", count);
         }
         List<Clickable> all = clickables();
         boolean isOnceEach = all.stream().noneMatch(one -> one.verb().repeats());
-        return told(isOnceEach && count > all.size(), "only " + all.size() + " can be clicked");
+        boolean isTooMany = isOnceEach && count > all.size();
+        return told(isTooMany, "E153.things", "only %s can be clicked", all.size());
     }
 
-    private static Optional<String> quick(double seconds, Limits limits) {
-        return told(
-                seconds <= limits.hold(),
-                "the hold alone takes " + limits.hold() + " s, the star allows " + seconds + " s");
+    private static Optional<Fault> quick(double seconds, Limits limits) {
+        String words = "the hold alone takes %s s, the star allows %s s";
+        return told(seconds <= limits.hold(), "E153.hold", words, limits.hold(), seconds);
     }
 
-    private Optional<String> first(String target) {
+    private Optional<Fault> first(String target) {
         List<String> ids = clickables().stream().map(Clickable::id).toList();
         if (!ids.contains(target)) {
-            return Optional.of("a click does nothing to \"" + target + "\"");
+            return told(true, "E153.click", "a click does nothing to \"%s\"", target);
         }
-        return told(
-                ids.size() == 1,
-                "every game begins with \"" + target + "\", for nothing else can be clicked");
+        String words = "every game begins with \"%s\", for nothing else can be clicked";
+        return told(ids.size() == 1, "E153.only", words, target);
     }
 
     private List<Clickable> clickables() {

@@ -1,5 +1,7 @@
 package rigibo.frontend.puzzle.level;
 
+import rigibo.frontend.document.Fault;
+
 /** E121 a ball starts outside the world. */
 final class StartRules {
 
@@ -22,23 +24,21 @@ final class StartRules {
                         && ball.y() >= ball.radius()
                         && ball.y() <= world.height() - ball.radius();
         if (!isInside) {
+            String words =
+                    "E121 %s starts outside the world: at (%s, %s) with radius %s in %s × %s m";
             sketch.json()
                     .error(
                             at.pointer(),
                             () ->
-                                    "E121 "
-                                            + ball.name()
-                                            + " starts outside the world: at ("
-                                            + ball.x()
-                                            + ", "
-                                            + ball.y()
-                                            + ") with radius "
-                                            + ball.radius()
-                                            + " in "
-                                            + world.width()
-                                            + " × "
-                                            + world.height()
-                                            + " m");
+                                    Fault.of(
+                                            "E121",
+                                            words,
+                                            ball.name(),
+                                            ball.x(),
+                                            ball.y(),
+                                            ball.radius(),
+                                            world.width(),
+                                            world.height()));
         }
     }
 }

@@ -38,7 +38,12 @@ public record World(double width, double height, Effects effects) {
 
     /** Whether things weigh what they weigh on the Moon, or little more or less. */
     public boolean isOnTheMoon() {
-        return Math.abs(gravityX()) < MOON_SPREAD && Math.abs(gravityY() - MOON) < MOON_SPREAD;
+        return isOnTheMoon(gravityX(), gravityY());
+    }
+
+    /** Whether a gravity to the right and upwards, m/s², is that of the Moon. */
+    public static boolean isOnTheMoon(double gravityX, double gravityY) {
+        return Math.abs(gravityX) < MOON_SPREAD && Math.abs(gravityY - MOON) < MOON_SPREAD;
     }
 
     /** Where the water's surface is, m above the world's bottom; nothing where there is none. */

@@ -9,6 +9,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.SceneEntry;
+import rigibo.frontend.scene.Scenery;
 import rigibo.frontend.scene.Skin;
 import rigibo.frontend.scene.joint.JointPen;
 
@@ -28,6 +29,7 @@ public final class LevelPicture implements SceneEntry.Picture {
     private final double mostScale;
     private final List<Part> parts = new ArrayList<>();
     private final List<LevelJoint> joints;
+    private final Scenery scenery;
 
     /** Where the water's surface is, m; nothing where there is none. */
     private final OptionalDouble water;
@@ -52,6 +54,7 @@ public final class LevelPicture implements SceneEntry.Picture {
         this.mostScale = mostScale;
         first = level.balls().get(0);
         joints = level.joints();
+        scenery = level.world().isOnTheMoon() ? Scenery.MOON : Scenery.WORKSHOP;
         water = level.world().waterLevel();
         parts.addAll(Goal.of(level).parts());
         level.bodies().forEach(body -> parts.add(Part.of(body)));
@@ -71,6 +74,11 @@ public final class LevelPicture implements SceneEntry.Picture {
             whole.maxX = Math.max(whole.maxX, own.maxX);
             whole.maxY = Math.max(whole.maxY, own.maxY);
         }
+    }
+
+    @Override
+    public Scenery scenery() {
+        return scenery;
     }
 
     @Override

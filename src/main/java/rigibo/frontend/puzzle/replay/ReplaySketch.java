@@ -6,6 +6,7 @@ import rigibo.backend.setup.Correction;
 import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.ImpactSearch;
 import rigibo.backend.setup.Integrator;
+import rigibo.frontend.document.Cause;
 import rigibo.frontend.document.Document;
 import rigibo.frontend.puzzle.level.Click;
 import rigibo.frontend.puzzle.level.Origin;
@@ -122,6 +123,6 @@ final class ReplaySketch {
     }
 
     private void error(String pointer, String message) {
-        json.error(pointer, () -> message);
+        json.error(Cause.CONTENT, pointer, () -> message);
     }
 }

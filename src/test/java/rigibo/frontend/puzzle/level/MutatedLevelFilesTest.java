@@ -10,12 +10,19 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.document.Mutations;
 import rigibo.frontend.document.Problem;
+import rigibo.frontend.puzzle.ProblemWords;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.scene.Settings;
+import rigibo.frontend.scene.Words;
 
+import java.util.List;
 import java.util.stream.Stream;
 
 /** A par of 1e308 ended in a stack trace. */
 class MutatedLevelFilesTest {
+
+    private static final List<Words> LANGUAGES =
+            Settings.LANGUAGES.stream().map(Words::new).toList();
 
     private final LevelLoader loader = new LevelLoader();
 
@@ -52,7 +59,14 @@ class MutatedLevelFilesTest {
                 .extracting(Problem::toString)
                 .as(shown)
                 .allSatisfy(line -> assertThat(line).doesNotContain("\n").hasSizeLessThan(1000));
+        loaded.problems().forEach(MutatedLevelFilesTest::assertToldToPlayers);
         loaded.level().ifPresent(MutatedLevelFilesTest::play);
+    }
+
+    private static void assertToldToPlayers(Problem problem) {
+        for (Words words : LANGUAGES) {
+            assertThat(ProblemWords.told(words, problem)).isNotBlank().doesNotContain("{0}", "@");
+        }
     }
 
     private static void play(Level level) {

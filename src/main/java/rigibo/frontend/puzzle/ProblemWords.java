@@ -1,0 +1,33 @@
+package rigibo.frontend.puzzle;
+
+import rigibo.frontend.document.Fault;
+import rigibo.frontend.document.Problem;
+import rigibo.frontend.scene.Words;
+
+/** Problems of levels in the player's language. */
+public final class ProblemWords {
+
+    /** Before the key of a word of the bundles. */
+    private static final String KEY = "@";
+
+    private ProblemWords() {}
+
+    /** What is wrong, in a few words. */
+    public static String title(Words words, Problem problem) {
+        return words.of("editor.problem." + problem.fault().kind().replaceFirst("\\..*", ""));
+    }
+
+    /** What is wrong and what helps, in a sentence; of a fault without one, why in general. */
+    public static String told(Words words, Problem problem) {
+        Fault fault = problem.fault();
+        if (fault.kind().isEmpty()) {
+            return words.of(problem.cause().key());
+        }
+        Object[] values = fault.values().stream().map(value -> named(words, value)).toArray();
+        return words.of("editor.problem." + fault.kind() + ".told", values);
+    }
+
+    private static String named(Words words, String value) {
+        return value.startsWith(KEY) ? words.of(value.substring(KEY.length())) : value;
+    }
+}
