@@ -77,9 +77,10 @@ final class Finger {
         leave();
     }
 
-    /** The system took it, for a gesture of its own: nothing is pressed any more. */
+    /** The system took it, or a second one came: nothing is pressed any more. */
     void taken() {
         if (isDown) {
+            input.interrupted();
             leave();
         }
     }
