@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Pinch;
@@ -108,7 +109,14 @@ final class DemoScene implements Scene {
 
     @Override
     public Tap tap(double x, double y) {
-        return whole.contains(x, y) ? Tap.LIFTED : plates.tap(x, y);
+        if (plates.contain(x, y)) {
+            return plates.tap(x, y);
+        }
+        if (whole.contains(x, y)) {
+            return Tap.LIFTED;
+        }
+        Camera camera = bench.camera();
+        return Grip.tap(bench.pool(), camera.worldX(x), camera.worldY(y));
     }
 
     @Override

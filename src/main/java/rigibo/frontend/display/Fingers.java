@@ -80,6 +80,11 @@ final class Fingers {
                 (y - moving.y) / 2);
     }
 
+    /** A picture is made, at a time of the clock, s. */
+    void turn(double now) {
+        pointer.turn(now);
+    }
+
     /** A finger was lifted. */
     void lifted(int id) {
         if (!arePinching) {

@@ -94,7 +94,9 @@ final class ExhibitScene implements Scene {
     @Override
     public Tap tap(double x, double y) {
         boolean isOnButton = whole.contains(x, y) || plates.button(x, y).isPresent();
-        return isOnButton ? Tap.LIFTED : Tap.AT_ONCE;
+        return isOnButton
+                ? Tap.LIFTED
+                : Grip.tap(showing.pool(), camera.worldX(x), camera.worldY(y));
     }
 
     @Override

@@ -5,6 +5,7 @@ import static org.lwjgl.glfw.GLFW.*;
 import org.teavm.jso.JSBody;
 import org.teavm.jso.JSFunctor;
 import org.teavm.jso.JSObject;
+import org.teavm.jso.browser.Performance;
 import org.teavm.jso.browser.Window;
 import org.teavm.jso.dom.events.Event;
 import org.teavm.jso.dom.events.EventListener;
@@ -88,6 +89,12 @@ final class PageInput {
                         () -> {},
                         () -> display.settings().keys());
         fingers = new Fingers(input, () -> touched);
+    }
+
+    /** A picture is made: a finger may have rested. */
+    void turn() {
+        look();
+        fingers.turn(Performance.now() / MILLIS);
     }
 
     /** Points at a control. */

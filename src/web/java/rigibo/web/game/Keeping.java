@@ -64,7 +64,7 @@ final class Keeping {
             keep(folder, present);
             for (Path gone : List.copyOf(kept.keySet())) {
                 if (!present.contains(gone)) {
-                    Storage.getLocalStorage().removeItem(gone.toString());
+                    remove(gone.toString());
                     kept.remove(gone);
                 }
             }
@@ -99,6 +99,12 @@ final class Keeping {
                     "try { window.localStorage.length; return true; } catch (denied) { return"
                             + " false; }")
     private static native boolean isAllowed();
+
+    /** A browser that keeps nothing has nothing to remove. */
+    @JSBody(
+            params = "name",
+            script = "try { window.localStorage.removeItem(name); } catch (denied) {}")
+    private static native void remove(String name);
 
     @JSBody(
             params = {"name", "text"},
