@@ -134,7 +134,7 @@ final class PageSurface {
     @JSBody(
             script =
                     "return matchMedia('(any-pointer: coarse) and (not (any-pointer:"
-                        + " fine))').matches;")
+                            + " fine))').matches;")
     private static native boolean isTouched();
 
     private static void size(HTMLCanvasElement canvas, int width, int height) {

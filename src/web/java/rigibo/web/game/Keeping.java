@@ -28,6 +28,7 @@ final class Keeping {
     private final Path folder;
     private final Runnable refused;
     private final Map<Path, FileTime> kept = new HashMap<>();
+    private boolean isRefused;
 
     /**
      * Takes back what was kept.
@@ -82,9 +83,18 @@ final class Keeping {
                 FileTime changed = Files.getLastModifiedTime(file);
                 if (!changed.equals(kept.put(file, changed))
                         && !set(file.toString(), Files.readString(file))) {
-                    refused.run();
+                    // There may be room later.
+                    kept.remove(file);
+                    refuse();
                 }
             }
+        }
+    }
+
+    private void refuse() {
+        if (!isRefused) {
+            isRefused = true;
+            refused.run();
         }
     }
 
