@@ -5,9 +5,11 @@ const show = problem => {
     sentence.hidden = false;
 };
 
+const isGerman = navigator.language.startsWith('de');
+
 // Nothing can be touched before the first picture.
 const loading = document.getElementById('loading');
-loading.textContent = navigator.language.startsWith('de') ? 'RigiBo lädt …' : 'RigiBo is loading …';
+loading.textContent = isGerman ? 'RigiBo lädt …' : 'RigiBo is loading …';
 
 Promise.all([
     TeaVM.wasmGC.load('game.wasm'),
@@ -21,9 +23,15 @@ Promise.all([
 }).catch(problem => {
     // Browsers fetch nothing beside a page that was opened as a file.
     loading.remove();
-    show(location.protocol === 'file:'
-        ? 'RigiBo plays where a web server serves it: ./rigibo web --serve starts one.'
-        : 'This browser lacks WebAssembly with garbage collection or WebGL 2, which RigiBo needs.');
+    if (location.protocol === 'file:') {
+        show(isGerman
+            ? 'RigiBo spielt, wo ein Webserver es ausliefert: ./rigibo web --serve startet einen.'
+            : 'RigiBo plays where a web server serves it: ./rigibo web --serve starts one.');
+    } else {
+        show(isGerman
+            ? 'Diesem Browser fehlt WebAssembly mit Speicherbereinigung oder WebGL 2; RigiBo braucht beides.'
+            : 'This browser lacks WebAssembly with garbage collection or WebGL 2, which RigiBo needs.');
+    }
     console.warn(problem);
 });
 

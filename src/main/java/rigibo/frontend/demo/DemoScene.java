@@ -5,8 +5,10 @@ import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Narrator;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
@@ -15,6 +17,7 @@ import rigibo.frontend.scene.accuracy.AccuracyMeter;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.trial.Trials;
 import rigibo.frontend.scene.widget.HandButtons;
+import rigibo.frontend.scene.widget.WholePlate;
 
 import java.util.List;
 import java.util.Optional;
@@ -43,6 +46,7 @@ final class DemoScene implements Scene {
     private final Trials trials = Trials.inBackground();
     private final CostMeter costs = new CostMeter(trials);
     private final AccuracyMeter errors = new AccuracyMeter(trials);
+    private final WholePlate whole;
     private boolean isPaused;
     private boolean isDebugging;
     private boolean isHelping;
@@ -53,6 +57,7 @@ final class DemoScene implements Scene {
     DemoScene(Director director, Function<Words, Demo> maker) {
         this.director = director;
         this.maker = maker;
+        whole = new WholePlate(director.words());
         restart();
     }
 
@@ -104,7 +109,14 @@ final class DemoScene implements Scene {
 
     @Override
     public Tap tap(double x, double y) {
-        return plates.tap(x, y);
+        if (plates.contain(x, y)) {
+            return plates.tap(x, y);
+        }
+        if (whole.contains(x, y)) {
+            return Tap.LIFTED;
+        }
+        Camera camera = bench.camera();
+        return Grip.tap(bench.pool(), camera.worldX(x), camera.worldY(y));
     }
 
     @Override
@@ -132,6 +144,10 @@ final class DemoScene implements Scene {
             bench.drawDebug(canvas, STEP);
         }
         demo.draw(bench, canvas);
+        whole.hide();
+        if (bench.camera().isPinched()) {
+            whole.draw(canvas, HEIGHT);
+        }
         plates.draw(canvas, isPaused, buttons());
         if (!canvas.layout().isInHand()) {
             drawNotes(canvas);
@@ -141,6 +157,7 @@ final class DemoScene implements Scene {
     @Override
     public void describe(Narrator narrator) {
         plates.describe(narrator);
+        whole.describe(narrator);
         if (isPaused) {
             narrator.says(director.words().of("badge.paused"));
         }
@@ -191,11 +208,24 @@ final class DemoScene implements Scene {
         if (button == PointerButton.LEFT && pressed.isPresent()) {
             pressed.get().action().run();
         } else if (button == PointerButton.LEFT && !plates.pointerPressed(x, y)) {
-            bench.grab(bench.pointerX(), bench.pointerY());
+            grabOrShowAll(x, y);
         } else if (button == PointerButton.RIGHT && !plates.contain(x, y)) {
             isPanning = true;
             demo.rightClick(bench, bench.pointerX(), bench.pointerY());
         }
+    }
+
+    private void grabOrShowAll(double x, double y) {
+        if (whole.contains(x, y)) {
+            bench.camera().home();
+        } else {
+            bench.grab(bench.pointerX(), bench.pointerY());
+        }
+    }
+
+    @Override
+    public void pinched(Pinch pinch) {
+        bench.camera().pinch(pinch);
     }
 
     @Override

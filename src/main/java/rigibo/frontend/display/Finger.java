@@ -12,7 +12,7 @@ import java.util.function.DoubleSupplier;
  */
 final class Finger {
 
-    /** A button that is held for so long is looked at, s. */
+    /** A button that is held for so long is looked at; elsewhere it is the other button, s. */
     private static final double REST = 0.8;
 
     /** A finger that slid so far off a button does not mean it, in the window's coordinates. */
@@ -28,6 +28,9 @@ final class Finger {
     private double downY;
     private double downAt;
     private boolean isDown;
+
+    /** Whether it holds the other button, since it rested. */
+    private boolean isResting;
 
     /** A finger that comes to an input, timed by a clock in s. */
     Finger(Input input, DoubleSupplier seconds) {
@@ -46,7 +49,7 @@ final class Finger {
         switch (tap) {
             case AT_ONCE -> input.mouseButton(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
             case CHOSEN -> input.choosing(true);
-            case LIFTED -> {}
+            case LIFTED, RESTED -> {}
         }
     }
 
@@ -55,7 +58,8 @@ final class Finger {
         if (!isDown) {
             return;
         }
-        if (tap == Tap.LIFTED && Math.hypot(x - downX, y - downY) > SLIP) {
+        boolean isGone = tap == Tap.LIFTED || tap == Tap.RESTED && !isResting;
+        if (isGone && Math.hypot(x - downX, y - downY) > SLIP) {
             leave();
             return;
         }
@@ -70,16 +74,25 @@ final class Finger {
         if (!isDown) {
             return;
         }
-        boolean isMeant = tap == Tap.CHOSEN || seconds.getAsDouble() - downAt < REST;
-        if (tap != Tap.AT_ONCE && isMeant) {
+        boolean isShort = tap == Tap.LIFTED && seconds.getAsDouble() - downAt < REST;
+        if (tap == Tap.CHOSEN || isShort) {
             input.mouseButton(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
         }
         leave();
     }
 
-    /** The system took it, for a gesture of its own: nothing is pressed any more. */
+    /** A picture is made, at a time of the clock, s: a finger may have rested. */
+    void turn(double now) {
+        if (isDown && tap == Tap.RESTED && !isResting && now - downAt >= REST) {
+            isResting = true;
+            input.mouseButton(GLFW_MOUSE_BUTTON_RIGHT, GLFW_PRESS);
+        }
+    }
+
+    /** The system took it, or a second one came: nothing is pressed any more. */
     void taken() {
         if (isDown) {
+            input.interrupted();
             leave();
         }
     }
@@ -87,7 +100,9 @@ final class Finger {
     private void leave() {
         isDown = false;
         input.choosing(false);
-        input.mouseButton(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
+        int held = isResting ? GLFW_MOUSE_BUTTON_RIGHT : GLFW_MOUSE_BUTTON_LEFT;
+        isResting = false;
+        input.mouseButton(held, GLFW_RELEASE);
         input.cursor(AWAY, AWAY);
     }
 }

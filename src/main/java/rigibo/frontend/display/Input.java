@@ -6,6 +6,7 @@ import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Modifier;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
@@ -101,6 +102,31 @@ final class Input {
     /** A finger begins or ends to choose what is under the pointer. */
     void choosing(boolean isChoosing) {
         scene.choosing(isChoosing);
+    }
+
+    /** What the pointer has begun is given up. */
+    void interrupted() {
+        scene.interrupted();
+    }
+
+    /**
+     * Two fingers moved, in the window's coordinates.
+     *
+     * @param factor by which the distance between them grew
+     * @param windowX where their middle is now
+     * @param windowY where their middle is now
+     * @param windowDx how far it moved
+     * @param windowDy how far it moved
+     */
+    void pinched(double factor, double windowX, double windowY, double windowDx, double windowDy) {
+        double unit = pixelsPerUnit / layout.ratio();
+        scene.pinched(
+                new Pinch(
+                        factor,
+                        layout.logicalX(windowX * pixelsPerUnit),
+                        layout.logicalY(windowY * pixelsPerUnit),
+                        windowDx * unit,
+                        windowDy * unit));
     }
 
     void scroll(double notches) {

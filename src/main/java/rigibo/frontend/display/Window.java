@@ -149,7 +149,7 @@ final class Window {
         glfwGetFramebufferSize(handle, width, height);
         float[] contentScale = new float[1];
         glfwGetWindowContentScale(handle, contentScale, new float[1]);
-        Pane pane = new Pane(width[0], height[0], contentScale[0], Edges.NONE);
+        Pane pane = new Pane(width[0], height[0], contentScale[0], Edges.NONE, false);
         layout = pane.layout(scene, text.get().share());
         wayBack = WayBack.place(pane, layout, scene);
         input.shows(layout, width[0] / (double) units, wayBack);

@@ -16,6 +16,7 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.Narrator;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Scenery;
@@ -37,6 +38,10 @@ final class EditorScene implements Scene {
     private double pointerX;
     private double pointerY;
     private boolean isPanning;
+
+    /** Whether the tool was pressed, and not released yet. */
+    private boolean isUsed;
+
     private boolean isInHand;
 
     /** An editor with a draft on its desk. */
@@ -189,6 +194,7 @@ final class EditorScene implements Scene {
         } else if (button == PointerButton.LEFT) {
             shop.typing().end();
             shop.tool().pressed(world(x, y));
+            isUsed = true;
             isPanning = isInHand && shop.craft() == Craft.SELECT && shop.desk().chosen().isEmpty();
         } else {
             isPanning = true;
@@ -211,10 +217,26 @@ final class EditorScene implements Scene {
         Optional<Scene> played = played();
         if (played.isPresent()) {
             played.get().pointerReleased(button, x, y);
-        } else if (button == PointerButton.LEFT) {
+        } else if (button == PointerButton.LEFT && isUsed) {
             shop.tool().released(world(x, y));
         }
+        isUsed = false;
         isPanning = false;
+    }
+
+    @Override
+    public void interrupted() {
+        if (isUsed) {
+            shop.tool().interrupted();
+        }
+        isUsed = false;
+        isPanning = false;
+    }
+
+    @Override
+    public void pinched(Pinch pinch) {
+        played().ifPresentOrElse(
+                        scene -> scene.pinched(pinch), () -> shop.desk().camera().pinch(pinch));
     }
 
     @Override

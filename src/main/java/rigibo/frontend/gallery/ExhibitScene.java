@@ -9,6 +9,7 @@ import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Narrator;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
@@ -16,6 +17,7 @@ import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.joint.JointPicture;
 import rigibo.frontend.scene.widget.HandButtons;
+import rigibo.frontend.scene.widget.WholePlate;
 
 import java.util.List;
 import java.util.Optional;
@@ -29,6 +31,7 @@ final class ExhibitScene implements Scene {
     private final Found found;
     private final ExhibitPlates plates;
     private final Grip grip = new Grip();
+    private final WholePlate whole;
     private Showing showing;
     private Camera camera;
     private Impacts impacts;
@@ -45,6 +48,7 @@ final class ExhibitScene implements Scene {
         this.director = director;
         this.found = found;
         plates = new ExhibitPlates(found, director.words());
+        whole = new WholePlate(director.words());
         restart();
     }
 
@@ -89,7 +93,10 @@ final class ExhibitScene implements Scene {
 
     @Override
     public Tap tap(double x, double y) {
-        return plates.button(x, y).isPresent() ? Tap.LIFTED : Tap.AT_ONCE;
+        boolean isOnButton = whole.contains(x, y) || plates.button(x, y).isPresent();
+        return isOnButton
+                ? Tap.LIFTED
+                : Grip.tap(showing.pool(), camera.worldX(x), camera.worldY(y));
     }
 
     @Override
@@ -125,6 +132,10 @@ final class ExhibitScene implements Scene {
         JointPicture.draw(canvas, camera, showing.pool().joints());
         CanvasSketch sketch = new CanvasSketch(canvas, camera, 1);
         showing.exhibit().sketch(showing.pool(), sketch);
+        whole.hide();
+        if (camera.isPinched()) {
+            whole.draw(canvas, HEIGHT);
+        }
         if (!isBare || canvas.layout().isInHand()) {
             plates.draw(canvas, showing.pool(), sketch.figure(), isPaused, buttons());
         }
@@ -133,6 +144,7 @@ final class ExhibitScene implements Scene {
     @Override
     public void describe(Narrator narrator) {
         plates.describe(narrator, isPaused);
+        whole.describe(narrator);
     }
 
     private boolean isInView(Canvas canvas, RigidBody body) {
@@ -156,12 +168,19 @@ final class ExhibitScene implements Scene {
         Optional<HandButtons.Item> pressed = plates.button(x, y);
         if (button == PointerButton.LEFT && pressed.isPresent()) {
             pressed.get().action().run();
+        } else if (button == PointerButton.LEFT && whole.contains(x, y)) {
+            camera.home();
         } else if (button == PointerButton.LEFT) {
             grip.grab(showing, grip.pointerX(), grip.pointerY());
         } else if (button == PointerButton.RIGHT) {
             isPanning = true;
             showing.exhibit().act(showing.pool(), grip.pointerX(), grip.pointerY());
         }
+    }
+
+    @Override
+    public void pinched(Pinch pinch) {
+        camera.pinch(pinch);
     }
 
     @Override

@@ -22,6 +22,7 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.Narrator;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Scenery;
@@ -144,6 +145,8 @@ public final class PuzzleScene implements Scene {
     private void ended(PuzzleGame game) {
         tally.ended(game);
         table.letGo();
+        // How it ended is seen in the whole of it.
+        view.showAll();
         panels.end(game, sequel.next().isPresent(), tally.hasStar());
         if (game.isSolved()) {
             solution = Optional.of(game.replay().solution());
@@ -225,6 +228,11 @@ public final class PuzzleScene implements Scene {
     }
 
     @Override
+    public void pinched(Pinch pinch) {
+        view.pinch(pinch);
+    }
+
+    @Override
     public void pointerPressed(PointerButton button, double x, double y) {
         pointerMoved(x, y);
         if (button != PointerButton.LEFT) {
@@ -262,6 +270,7 @@ public final class PuzzleScene implements Scene {
             case V -> run(Command.SOLUTION);
             case C -> run(Command.COPY);
             case BACKSPACE -> run(Command.UNDO);
+            case HOME -> run(Command.WHOLE);
             case S -> session.pace(session.pace().slower());
             case N -> session.pace(session.pace().faster());
             case TAB -> cycle(isShiftHeld ? -1 : 1);
@@ -321,6 +330,7 @@ public final class PuzzleScene implements Scene {
             case SOLUTION -> showSolution();
             case REPLAY -> session.showAgain();
             case COPY -> copy();
+            case WHOLE -> view.showAll();
             case STOP -> session.stopShow();
             case NEXT -> sequel.next().ifPresent(next -> director.show(next.get()));
             case LEVELS -> director.showLevels();

@@ -12,6 +12,7 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Enlarged;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Narrator;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Scenery;
@@ -20,6 +21,7 @@ import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.HandButtons;
 import rigibo.frontend.scene.widget.HandFrame;
+import rigibo.frontend.scene.widget.WholePlate;
 
 import java.util.List;
 import java.util.Optional;
@@ -33,6 +35,7 @@ final class ReplayScene implements Scene {
     private final View view;
     private final ReplayBar bar;
     private final HandButtons buttons = new HandButtons();
+    private final WholePlate whole;
     private Screening screening;
     private ReplaySpeed speed = ReplaySpeed.FULL;
     private boolean isPaused;
@@ -50,6 +53,7 @@ final class ReplayScene implements Scene {
         this.recording = recording;
         view = new View(recording.level());
         bar = new ReplayBar(recording);
+        whole = new WholePlate(director.words());
         begin();
     }
 
@@ -90,6 +94,10 @@ final class ReplayScene implements Scene {
         PuzzleGame game = screening.game();
         screening.draw(canvas, motion());
         buttons.clear();
+        whole.hide();
+        if (view.isEnlarged()) {
+            whole.draw(canvas, View.KEYS_TOP);
+        }
         if (canvas.layout().isInHand() && audience == Audience.PLAYER) {
             drawInHand(canvas, game);
             return;
@@ -113,6 +121,7 @@ final class ReplayScene implements Scene {
     @Override
     public void describe(Narrator narrator) {
         buttons.describe(narrator);
+        whole.describe(narrator);
         narrator.says(state());
         screening.verdict().ifPresent(verdict -> narrator.says(verdict.in(director.words())));
     }
@@ -146,7 +155,16 @@ final class ReplayScene implements Scene {
 
     @Override
     public void pointerPressed(PointerButton button, double x, double y) {
-        buttons.at(x, y).ifPresentOrElse(item -> item.action().run(), this::pause);
+        buttons.at(x, y).map(HandButtons.Item::action).orElseGet(() -> beside(x, y)).run();
+    }
+
+    private Runnable beside(double x, double y) {
+        return whole.contains(x, y) ? view::showAll : this::pause;
+    }
+
+    @Override
+    public void pinched(Pinch pinch) {
+        view.pinch(pinch);
     }
 
     @Override
@@ -167,6 +185,7 @@ final class ReplayScene implements Scene {
             case LEFT, S -> speed = speed.slower();
             case RIGHT, N -> speed = speed.faster();
             case R -> begin();
+            case HOME -> view.showAll();
             case C -> Replays.copy(director, recording);
             default -> {}
         }

@@ -18,6 +18,9 @@ public final class Camera {
     private double centreY;
     private double scale;
 
+    /** Whether two fingers changed the view since it was last set. */
+    private boolean isPinched;
+
     /**
      * A camera that looks at a point.
      *
@@ -48,6 +51,7 @@ public final class Camera {
         centreX = worldX;
         centreY = worldY;
         scale = pixelsPerMetre;
+        isPinched = false;
     }
 
     /** Zooms by a factor about a point of the screen, px. */
@@ -63,6 +67,18 @@ public final class Camera {
     public void pan(double screenDx, double screenDy) {
         centreX -= screenDx / scale;
         centreY += screenDy / scale;
+    }
+
+    /** What was between two fingers stays between them. */
+    public void pinch(Pinch pinch) {
+        pan(pinch.dx(), pinch.dy());
+        zoom(pinch.factor(), pinch.x(), pinch.y());
+        isPinched = true;
+    }
+
+    /** Whether two fingers changed the view since it was last set. */
+    public boolean isPinched() {
+        return isPinched;
     }
 
     /** Pixels per metre. */

@@ -33,12 +33,22 @@ public final class Grip {
         letGo();
         bench = from;
         Pool pool = from.pool();
-        held = pool.bodyAt(x, y).filter(body -> body.type() == BodyType.DYNAMIC).orElse(null);
+        held = under(pool, x, y).orElse(null);
         point(x, y);
         if (held != null && pool.effects().declares(Joints.class)) {
             carrier(pool).ifPresent(any -> hand = from.join(MouseJoint.of(any, held, x, y)));
         }
         return held != null;
+    }
+
+    /** What could be taken hold of at a point, world m. */
+    public static Optional<RigidBody> under(Pool pool, double x, double y) {
+        return pool.bodyAt(x, y).filter(body -> body.type() == BodyType.DYNAMIC);
+    }
+
+    /** When a finger at a point, world m, presses: at once what it drags. */
+    public static Tap tap(Pool pool, double x, double y) {
+        return under(pool, x, y).isPresent() ? Tap.AT_ONCE : Tap.RESTED;
     }
 
     /** Who carries the joint and feels nothing of it: what stands still, if anything does. */

@@ -7,8 +7,9 @@ package rigibo.frontend.scene;
  * @param height in pixels
  * @param contentScale pixels per pixel of text at its usual size
  * @param hidden what is not seen of its edges, in pixels
+ * @param isTouched whether fingers are all that points at it
  */
-public record Pane(int width, int height, double contentScale, Edges hidden) {
+public record Pane(int width, int height, double contentScale, Edges hidden, boolean isTouched) {
 
     /**
      * Smaller windows are held in a hand, px of text: no phone is wider, and no window on a desk is
@@ -29,8 +30,8 @@ public record Pane(int width, int height, double contentScale, Edges hidden) {
         return scene.hasColumns() ? lettered.withColumns() : lettered;
     }
 
-    /** Whether it is as small as a phone. */
+    /** Whether it is as small as a phone, or has neither a mouse nor, as a rule, keys. */
     public boolean isInHand() {
-        return Math.min(width, height) < SMALLEST_ON_A_DESK * contentScale;
+        return isTouched || Math.min(width, height) < SMALLEST_ON_A_DESK * contentScale;
     }
 }

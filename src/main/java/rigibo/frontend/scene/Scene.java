@@ -88,6 +88,12 @@ public interface Scene {
     /** A finger begins or ends to choose what is under the pointer; see {@link Tap#CHOSEN}. */
     default void choosing(boolean isChoosing) {}
 
+    /** What the pointer has begun, and not ended, is given up; its button goes up next. */
+    default void interrupted() {}
+
+    /** Two fingers moved or enlarged what is seen. */
+    default void pinched(Pinch pinch) {}
+
     /** The wheel turned; positive away from the user. */
     default void scrolled(double notches, double x, double y) {}
 

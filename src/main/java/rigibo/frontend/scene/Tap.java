@@ -4,6 +4,8 @@ package rigibo.frontend.scene;
 public enum Tap {
     /** As it comes down, and then it drags: sliders, and bodies that are flung. */
     AT_ONCE,
+    /** Not at all, unless it rests: then by the other button, for there is nothing to drag. */
+    RESTED,
     /** As it is lifted, unless it slid away or rested to look. */
     LIFTED,
     /** As it is lifted, wherever it slid: a choice among small things. */

@@ -49,14 +49,18 @@ class FingerTest {
 
                 @Override
                 public void pointerPressed(PointerButton button, double x, double y) {
-                    told.add("press " + Math.round(x));
+                    told.add("press " + name(button) + Math.round(x));
                 }
 
                 @Override
                 public void pointerReleased(PointerButton button, double x, double y) {
-                    told.add("release");
+                    told.add(("release " + name(button)).trim());
                 }
             };
+
+    private static String name(PointerButton button) {
+        return button == PointerButton.RIGHT ? "right " : "";
+    }
 
     private final Finger finger =
             new Finger(
@@ -119,6 +123,43 @@ class FingerTest {
                         "chosen",
                         "release",
                         "away");
+    }
+
+    @Test
+    void aFingerThatRestsOnNothingIsTheOtherButton() {
+        tap = Tap.RESTED;
+        finger.down(10, 10);
+        finger.slid(15, 10);
+        finger.turn(0.5);
+        assertThat(told).noneMatch(it -> it.startsWith("press"));
+        finger.turn(1);
+        finger.turn(2);
+        finger.slid(200, 10);
+        finger.lifted();
+        assertThat(told)
+                .containsExactly(
+                        "at 10",
+                        "at 15",
+                        "press right 15",
+                        "at 200",
+                        "chosen",
+                        "release right",
+                        "away");
+    }
+
+    @Test
+    void aFingerThatSlidOrWasLiftedInTimeIsNot() {
+        tap = Tap.RESTED;
+        finger.down(10, 10);
+        finger.slid(60, 10);
+        finger.turn(1);
+        finger.lifted();
+        now = 2;
+        finger.down(10, 10);
+        now = 2.3;
+        finger.lifted();
+        finger.turn(4);
+        assertThat(told).noneMatch(it -> it.startsWith("press"));
     }
 
     @Test

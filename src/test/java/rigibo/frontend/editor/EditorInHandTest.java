@@ -1,6 +1,7 @@
 package rigibo.frontend.editor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,6 +18,7 @@ import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
@@ -252,6 +254,39 @@ class EditorInHandTest {
         holder.tab("more");
         holder.use("See all of it");
         assertThat(holder.control("Ball").x()).isEqualTo(before.x());
+    }
+
+    @Test
+    void twoFingersEnlargeTheDraftAndOneDrawsInItWhereItPoints() {
+        Holder holder = new Holder(fresh(), "en", Legibility.HANDS.get(1));
+        double[] middle = holder.seen(4.5, 5);
+        holder.scene.pinched(new Pinch(2, middle[0], middle[1], 0, 0));
+        double[] now = holder.seen(4.5, 5);
+        assertThat(now[0]).isCloseTo(middle[0], within(1e-6));
+        assertThat(now[1]).isCloseTo(middle[1], within(1e-6));
+        holder.take("Box");
+        holder.drag(4, 5, 5, 6);
+        assertThat(holder.scene.draft().lastBody().place().x()).isCloseTo(4.5, within(0.026));
+        assertThat(holder.scene.draft().lastBody().place().y()).isCloseTo(5.5, within(0.026));
+    }
+
+    /** The first of two fingers comes down a little earlier. */
+    @Test
+    void aSecondFingerTakesBackWhatTheFirstBegan() {
+        for (String tool : List.of("Box", "Polygon", "Another ball", "Hinge", "Choose")) {
+            Holder holder = new Holder(fresh(), "en", Legibility.HANDS.get(0));
+            holder.take(tool);
+            String before = holder.scene.draft().toString();
+            List<String> drawn = holder.look().texts();
+            double[] ball = holder.seen(2, 2.55);
+            holder.scene.pointerMoved(ball[0], ball[1]);
+            holder.scene.pointerPressed(PointerButton.LEFT, ball[0], ball[1]);
+            holder.scene.pointerMoved(ball[0] + 30, ball[1] - 30);
+            holder.scene.interrupted();
+            holder.scene.pointerReleased(PointerButton.LEFT, ball[0] + 30, ball[1] - 30);
+            assertThat(holder.scene.draft().toString()).as(tool).isEqualTo(before);
+            assertThat(holder.look().texts()).as(tool).isEqualTo(drawn);
+        }
     }
 
     @Test

@@ -159,7 +159,13 @@ class LayoutTest {
     })
     void onlyWindowsAsSmallAsPhonesAreInAHand(
             int width, int height, double contentScale, boolean isInHand) {
-        Pane pane = new Pane(width, height, contentScale, Edges.NONE);
+        Pane pane = new Pane(width, height, contentScale, Edges.NONE, false);
         assertThat(pane.isInHand()).isEqualTo(isInHand);
+    }
+
+    /** Without keys there is no other way to pause, or to leave. */
+    @Test
+    void aTabletIsInAHandHoweverLargeItIs() {
+        assertThat(new Pane(1280, 800, 1, Edges.NONE, true).isInHand()).isTrue();
     }
 }

@@ -93,6 +93,9 @@ public final class PageDisplay implements Director {
             open(wanted);
             wanted = null;
         }
+        if (wanted == null) {
+            input.turn();
+        }
         do {
             if (wanted == null) {
                 scene.step();

@@ -5,6 +5,7 @@ import static org.lwjgl.glfw.GLFW.*;
 import org.teavm.jso.JSBody;
 import org.teavm.jso.JSFunctor;
 import org.teavm.jso.JSObject;
+import org.teavm.jso.browser.Performance;
 import org.teavm.jso.browser.Window;
 import org.teavm.jso.dom.events.Event;
 import org.teavm.jso.dom.events.EventListener;
@@ -29,7 +30,7 @@ final class PageInput {
     private final PageSurface surface;
     private final PageDisplay display;
     private Input input;
-    private Finger finger;
+    private Fingers fingers;
 
     /** When the last touch was, s: a page that is late must not take a short one for a long one. */
     private double touched;
@@ -87,7 +88,13 @@ final class PageInput {
                         display::toggleMute,
                         () -> {},
                         () -> display.settings().keys());
-        finger = new Finger(input, () -> touched);
+        fingers = new Fingers(input, () -> touched);
+    }
+
+    /** A picture is made: a finger may have rested. */
+    void turn() {
+        look();
+        fingers.turn(Performance.now() / MILLIS);
     }
 
     /** Points at a control. */
@@ -114,11 +121,11 @@ final class PageInput {
     }
 
     private void moved(Event event) {
-        if (!isFinger(event)) {
-            point((MouseEvent) event);
-        } else if (isFirst(event)) {
+        if (isFinger(event)) {
             look();
-            finger.slid(x(event), y(event));
+            fingers.slid(id(event), x(event), y(event));
+        } else {
+            point((MouseEvent) event);
         }
     }
 
@@ -137,11 +144,11 @@ final class PageInput {
     private void pressed(Event event) {
         event.preventDefault();
         MouseEvent mouse = (MouseEvent) event;
-        if (isFirst(mouse) && isFinger(event)) {
+        if (isFinger(event)) {
             look();
             capture(event);
             touched = millis(event) / MILLIS;
-            finger.down(x(event), y(event));
+            fingers.down(id(event), x(event), y(event));
         } else if (isFirst(mouse)) {
             point(mouse);
             capture(event);
@@ -152,10 +159,10 @@ final class PageInput {
 
     private void released(Event event) {
         MouseEvent mouse = (MouseEvent) event;
-        if (isFirst(mouse) && isFinger(event)) {
+        if (isFinger(event)) {
             look();
             touched = millis(event) / MILLIS;
-            finger.lifted();
+            fingers.lifted(id(event));
             PageTyping.show(display.isTyping());
         } else if (isFirst(mouse)) {
             point(mouse);
@@ -165,7 +172,7 @@ final class PageInput {
 
     private void taken(Event event) {
         if (isFinger(event)) {
-            finger.taken();
+            fingers.taken(id(event));
         } else {
             released(event);
         }
@@ -241,12 +248,15 @@ final class PageInput {
     @JSBody(params = "event", script = "return event.offsetY;")
     private static native double y(Event event);
 
-    /** A second finger is not the pointer; a wheel has no finger. */
+    /** A wheel is no pointer, and so not a second one. */
     @JSBody(params = "event", script = "return event.isPrimary !== false;")
     private static native boolean isFirst(Event event);
 
     @JSBody(params = "event", script = "return event.pointerType === 'touch';")
     private static native boolean isFinger(Event event);
+
+    @JSBody(params = "event", script = "return event.pointerId;")
+    private static native int id(Event event);
 
     @JSBody(params = "event", script = "return event.timeStamp;")
     private static native double millis(Event event);

@@ -5,6 +5,7 @@ import org.teavm.jso.JSBody;
 import org.teavm.jso.JSObject;
 import org.teavm.jso.browser.Window;
 import org.teavm.jso.canvas.CanvasRenderingContext2D;
+import org.teavm.jso.dom.events.Event;
 import org.teavm.jso.dom.html.HTMLCanvasElement;
 import org.teavm.jso.dom.html.HTMLDocument;
 import org.teavm.jso.webgl.WebGL2RenderingContext;
@@ -39,6 +40,10 @@ final class PageSurface {
             throw new DisplayException("this browser has no WebGL 2");
         }
         GL33C.use(gl);
+        // Phones take it from pages that nobody looks at: the page begins anew, from what it kept.
+        below.addEventListener("webglcontextlost", Event::preventDefault);
+        below.addEventListener(
+                "webglcontextrestored", event -> Window.current().getLocation().reload());
         Paper.use((CanvasRenderingContext2D) above.getContext("2d"));
         painter = new Painter();
     }
@@ -66,11 +71,20 @@ final class PageSurface {
     void begin(Scene scene, Settings settings) {
         choice.renderer(renderer(gl));
         while (choice.isOpen(settings.detail())) {
-            choice.tried(draw(scene, settings, new Toast(), 0));
+            long begin = System.nanoTime();
+            draw(scene, settings, new Toast(), 0);
+            finish(gl);
+            choice.tried(System.nanoTime() - begin);
         }
     }
 
-    /** Draws a picture; returns the time it took, ns. */
+    /** Waits until all is drawn: to ask for a pixel is the only way to. */
+    @JSBody(
+            params = "gl",
+            script = "gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));")
+    private static native void finish(JSObject gl);
+
+    /** Draws a picture; returns the time that the page took for it, ns. */
     long draw(Scene scene, Settings settings, Toast toast, double dark) {
         long begin = System.nanoTime();
         layOut(scene, settings);
@@ -94,7 +108,7 @@ final class PageSurface {
             size(below, width, height);
             size(above, width, height);
         }
-        Pane pane = new Pane(width, height, ratio(), hidden());
+        Pane pane = new Pane(width, height, ratio(), hidden(), isTouched());
         layout = pane.layout(scene, settings.text().share());
         wayBack = WayBack.place(pane, layout, scene);
     }
@@ -115,6 +129,13 @@ final class PageSurface {
                     "return parseFloat(getComputedStyle(document.getElementById('hidden'))["
                             + "'padding' + side]) || 0;")
     private static native double padding(String side);
+
+    /** Whether nothing points at the page as well as a mouse does, as on phones and tablets. */
+    @JSBody(
+            script =
+                    "return matchMedia('(any-pointer: coarse) and (not (any-pointer:"
+                            + " fine))').matches;")
+    private static native boolean isTouched();
 
     private static void size(HTMLCanvasElement canvas, int width, int height) {
         canvas.setWidth(width);

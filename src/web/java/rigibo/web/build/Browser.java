@@ -64,6 +64,11 @@ final class Browser implements PageReader {
                                 "--enable-unsafe-swiftshader",
                                 "--use-angle=swiftshader",
                                 "--ignore-gpu-blocklist",
+                                // Without a graphics card all but WebGL is faster in plain
+                                // software.
+                                "--disable-accelerated-2d-canvas",
+                                "--disable-gpu-rasterization",
+                                "--disable-gpu-compositing",
                                 "--no-first-run",
                                 "--disable-background-networking",
                                 "--disable-component-update",

@@ -19,7 +19,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** A page in a running browser, driven by Chromium's DevTools protocol. */
-final class DevTools implements AutoCloseable {
+final class DevTools {
 
     private static final Pattern SOCKET = Pattern.compile("\"webSocketDebuggerUrl\": *\"([^\"]+)");
     private static final Pattern NUMBER = Pattern.compile("^\\{\"id\":(\\d+)");
@@ -31,23 +31,33 @@ final class DevTools implements AutoCloseable {
     /** A page that says nothing for so long is broken. */
     private static final int MOST_SECONDS = 60;
 
+    /**
+     * Time from a touch to what becomes of it next, s: a browser that is late must not take a short
+     * touch for a long one.
+     */
+    private static final double BETWEEN_TOUCHES = 0.02;
+
     private final BlockingQueue<String> answers = new LinkedBlockingQueue<>();
     private final List<String> requests = new ArrayList<>();
     private final List<String> complaints = new ArrayList<>();
     private final WebSocket socket;
     private int count;
 
-    /** Takes the first page of a browser that listens at a port. */
+    /** When a finger last did something, s since 1970. */
+    private double touched = System.currentTimeMillis() / 1e3;
+
+    /** Opens an empty page in a browser that listens at a port. */
     DevTools(int port) throws IOException, InterruptedException {
         HttpClient client = HttpClient.newHttpClient();
-        HttpRequest list =
-                HttpRequest.newBuilder(URI.create("http://localhost:" + port + "/json/list"))
+        HttpRequest opening =
+                HttpRequest.newBuilder(URI.create("http://localhost:" + port + "/json/new"))
+                        .PUT(HttpRequest.BodyPublishers.noBody())
                         .timeout(Duration.ofSeconds(MOST_SECONDS))
                         .build();
-        String pages = client.send(list, HttpResponse.BodyHandlers.ofString()).body();
-        Matcher found = SOCKET.matcher(pages);
+        String opened = client.send(opening, HttpResponse.BodyHandlers.ofString()).body();
+        Matcher found = SOCKET.matcher(opened);
         if (!found.find()) {
-            throw new IOException("the browser has no page: " + pages);
+            throw new IOException("the browser opens no page: " + opened);
         }
         socket =
                 client.newWebSocketBuilder()
@@ -127,25 +137,47 @@ final class DevTools implements AutoCloseable {
         return value.group(2) == null ? value.group(1) : value.group(2);
     }
 
-    /** A finger comes down at a point of the page, px. */
-    void down(double x, double y) throws IOException, InterruptedException {
-        touch("touchStart", point(x, y));
+    /** Fingers are down at points of the page, the last of them only now. */
+    void down(Phone.Spot... points) throws IOException, InterruptedException {
+        touch("touchStart", points);
     }
 
-    /** The finger slides to a point of the page, px, and is lifted there. */
-    void lift(double x, double y) throws IOException, InterruptedException {
-        touch("touchMove", point(x, y));
-        touch("touchEnd", "");
+    /** Fingers slide to points of the page. */
+    void slide(Phone.Spot... points) throws IOException, InterruptedException {
+        touch("touchMove", points);
     }
 
-    private static String point(double x, double y) {
-        return String.format(Locale.ROOT, "{\"x\":%.2f,\"y\":%.2f}", x, y);
+    /** A finger slides to a point of the page, and is lifted there. */
+    void lift(Phone.Spot point) throws IOException, InterruptedException {
+        slide(point);
+        lift();
     }
 
-    private void touch(String kind, String point) throws IOException, InterruptedException {
+    /** All fingers are lifted. */
+    void lift() throws IOException, InterruptedException {
+        touch("touchEnd");
+    }
+
+    private void touch(String kind, Phone.Spot... points) throws IOException, InterruptedException {
+        touched += BETWEEN_TOUCHES;
+        List<String> written = new ArrayList<>();
+        for (int i = 0; i < points.length; i++) {
+            written.add(
+                    String.format(
+                            Locale.ROOT,
+                            "{\"x\":%.2f,\"y\":%.2f,\"id\":%d}",
+                            points[i].x(),
+                            points[i].y(),
+                            i));
+        }
         send(
                 "Input.dispatchTouchEvent",
-                "\"type\":\"" + kind + "\",\"touchPoints\":[" + point + "]");
+                String.format(
+                        Locale.ROOT,
+                        "\"type\":\"%s\",\"timestamp\":%.3f,\"touchPoints\":[%s]",
+                        kind,
+                        touched,
+                        String.join(",", written)));
     }
 
     /** The page as a picture, a PNG. */
@@ -167,8 +199,9 @@ final class DevTools implements AutoCloseable {
         return complaints;
     }
 
-    @Override
-    public void close() {
+    /** Closes the page. */
+    void close() throws IOException, InterruptedException {
+        send("Page.close", "");
         socket.abort();
     }
 }

@@ -10,43 +10,37 @@ import java.io.IOException;
  */
 final class ReaderCheck {
 
-    private static final String LOG = "document.getElementById('said').textContent";
-
-    /** Pictures after which the page has told anew what it shows. */
-    private static final int PICTURES = 8;
-
-    private final DevTools page;
+    private final Phone phone;
     private final Words words;
 
     /** Asks a page in the language that it is in. */
-    ReaderCheck(DevTools page) throws IOException, InterruptedException {
-        this.page = page;
-        words = new Words(page.value("document.documentElement.lang"));
+    ReaderCheck(Phone phone) throws IOException, InterruptedException {
+        this.phone = phone;
+        words = phone.words();
     }
 
     /** Whether the page, at the end of a level, has said that it is solved. */
     boolean isVerdictSaid() throws IOException, InterruptedException {
-        String said = page.value(LOG);
+        String said = phone.said();
         System.out.println("said: " + said);
         return said.contains(words.of("puzzle.won"));
     }
 
     /** Whether the menu's buttons have names and can be pressed, for a player who wants calm. */
-    boolean isMenuRead(String address) throws IOException, InterruptedException {
-        page.send(
-                "Emulation.setEmulatedMedia",
-                "\"features\":[{\"name\":\"prefers-reduced-motion\",\"value\":\"reduce\"}]");
-        PhoneCheck.open(page, address + "?menu");
-        pictures();
+    boolean isMenuRead() throws IOException, InterruptedException {
+        phone.openCalmly("menu");
+        DevTools page = phone.page();
+        phone.goUntilTold();
         String tree = page.send("Accessibility.getFullAXTree", "");
         boolean isNamed =
                 tree.contains(name("menu.levels"))
                         && tree.contains(name("menu.statistics"))
                         && tree.contains(name("menu.settings"));
         page.value(control("menu.settings") + ".click()");
-        pictures();
+        phone.goUntilTold();
+        phone.goUntilTold();
         String calm = page.value(control("settings.calm") + ".getAttribute('aria-pressed')");
-        String title = page.value(LOG);
+        String title = phone.said();
         System.out.println("menu read: " + isNamed + ", calm: " + calm + ", said: " + title);
         return isNamed && calm.equals("true") && title.contains(words.of("menu.settings"));
     }
@@ -58,11 +52,5 @@ final class ReaderCheck {
 
     private String control(String key) {
         return "document.querySelector('#controls [aria-label=\"" + words.of(key) + "\"]')";
-    }
-
-    private void pictures() throws IOException, InterruptedException {
-        for (int i = 0; i < PICTURES; i++) {
-            page.value("window.go(1)");
-        }
     }
 }

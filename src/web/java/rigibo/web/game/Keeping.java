@@ -28,6 +28,7 @@ final class Keeping {
     private final Path folder;
     private final Runnable refused;
     private final Map<Path, FileTime> kept = new HashMap<>();
+    private boolean isRefused;
 
     /**
      * Takes back what was kept.
@@ -64,7 +65,7 @@ final class Keeping {
             keep(folder, present);
             for (Path gone : List.copyOf(kept.keySet())) {
                 if (!present.contains(gone)) {
-                    Storage.getLocalStorage().removeItem(gone.toString());
+                    remove(gone.toString());
                     kept.remove(gone);
                 }
             }
@@ -82,9 +83,18 @@ final class Keeping {
                 FileTime changed = Files.getLastModifiedTime(file);
                 if (!changed.equals(kept.put(file, changed))
                         && !set(file.toString(), Files.readString(file))) {
-                    refused.run();
+                    // There may be room later.
+                    kept.remove(file);
+                    refuse();
                 }
             }
+        }
+    }
+
+    private void refuse() {
+        if (!isRefused) {
+            isRefused = true;
+            refused.run();
         }
     }
 
@@ -99,6 +109,12 @@ final class Keeping {
                     "try { window.localStorage.length; return true; } catch (denied) { return"
                             + " false; }")
     private static native boolean isAllowed();
+
+    /** A browser that keeps nothing has nothing to remove. */
+    @JSBody(
+            params = "name",
+            script = "try { window.localStorage.removeItem(name); } catch (denied) {}")
+    private static native void remove(String name);
 
     @JSBody(
             params = {"name", "text"},

@@ -13,7 +13,10 @@ public final class BallTool implements Tool {
     }
 
     @Override
-    public void pressed(Point at) {
+    public void pressed(Point at) {}
+
+    @Override
+    public void released(Point at) {
         desk.history().begin();
         desk.placeBall(at);
         desk.item().map(desk.grid()::snap).ifPresent(desk::put);

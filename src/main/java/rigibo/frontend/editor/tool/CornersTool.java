@@ -51,6 +51,12 @@ public final class CornersTool implements Tool {
     @Override
     public void pressed(Point at) {
         pointer = at;
+    }
+
+    /** A corner is where the button goes up: a finger slides until it is right. */
+    @Override
+    public void released(Point at) {
+        pointer = at;
         boolean closes =
                 !corners.isEmpty() && corners.get(0).minus(at).length() <= desk.reach(REACH);
         if (closes) {
@@ -86,6 +92,10 @@ public final class CornersTool implements Tool {
     public void moved(Point at) {
         pointer = at;
     }
+
+    /** The corners that were set stay. */
+    @Override
+    public void interrupted() {}
 
     @Override
     public boolean keyPressed(Key key) {

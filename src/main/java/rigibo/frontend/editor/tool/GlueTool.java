@@ -23,6 +23,11 @@ public final class GlueTool implements Tool {
     @Override
     public void pressed(Point at) {
         pointer = at;
+    }
+
+    @Override
+    public void released(Point at) {
+        pointer = at;
         Optional<Item> under = under();
         Optional<Item> keeper = keeper();
         if (keeper.isEmpty()) {
@@ -37,6 +42,10 @@ public final class GlueTool implements Tool {
     public void moved(Point at) {
         pointer = at;
     }
+
+    /** The body that was chosen as the first stays so. */
+    @Override
+    public void interrupted() {}
 
     private Optional<Item> keeper() {
         return first.isEmpty() ? Optional.empty() : desk.draft().item(first);

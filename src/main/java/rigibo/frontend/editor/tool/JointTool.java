@@ -42,8 +42,6 @@ public final class JointTool implements Tool {
         isFresh = first.isEmpty();
         if (isFresh) {
             first = Optional.of(joining.end(at, Optional.empty()));
-        } else {
-            finish();
         }
     }
 
@@ -57,10 +55,18 @@ public final class JointTool implements Tool {
     public void released(Point at) {
         moved(at);
         boolean isDragged = at.minus(pressed).length() >= desk.metres(TREMBLING);
-        if (isFresh && isDragged && first.isPresent()) {
+        if (first.isPresent() && (isDragged || !isFresh)) {
             finish();
         }
         isFresh = false;
+    }
+
+    /** An end that was chosen before stays so. */
+    @Override
+    public void interrupted() {
+        if (isFresh) {
+            first = Optional.empty();
+        }
     }
 
     /** The end under the pointer. */

@@ -28,6 +28,9 @@ public final class SelectTool implements Tool {
     private Runnable click;
     private boolean isDragged;
 
+    /** What was chosen before the button went down. */
+    private String before = "";
+
     /** The joint that this tool chose, for one that was just made is not clicked twice. */
     private String clicked = "";
 
@@ -42,6 +45,7 @@ public final class SelectTool implements Tool {
         Optional<JointEntry> joint = joining.at(at);
         click = null;
         isDragged = false;
+        before = desk.chosen();
         if (handle.isPresent()) {
             drag = to -> desk.put(handle.get().moved().apply(to));
         } else if (joint.isPresent()) {
@@ -121,6 +125,13 @@ public final class SelectTool implements Tool {
         drag = null;
         desk.history().cancel();
         return isDragging;
+    }
+
+    @Override
+    public void interrupted() {
+        cancelled();
+        click = null;
+        desk.choose(before);
     }
 
     @Override

@@ -15,8 +15,13 @@ public interface Tool {
     /** The pointer moved, with the button held or not. */
     default void moved(Point at) {}
 
-    /** The left button went up. */
+    /** The left button went up, after it went down on the draft. */
     default void released(Point at) {}
+
+    /** What the button began as it went down is given up; it goes up without a word. */
+    default void interrupted() {
+        cancelled();
+    }
 
     /** A key went down; returns whether the tool had a use for it. */
     default boolean keyPressed(Key key) {

@@ -21,6 +21,8 @@ public enum Command {
     REPLAY,
     /** Puts the winning try on the clipboard, as a code. */
     COPY,
+    /** Shows the whole picture again. */
+    WHOLE,
     /** Ends what is being shown. */
     STOP,
     NEXT,

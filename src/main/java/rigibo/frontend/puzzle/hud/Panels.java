@@ -14,6 +14,7 @@ import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.WholePlate;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -37,6 +38,7 @@ public final class Panels {
     private final EffectsDrawer effects;
     private final HintPlate hint;
     private final List<Command> exits;
+    private final WholePlate whole;
     private final ButtonRow pause;
     private final ButtonRow stop = Hud.buttons(List.of(Command.STOP));
     private Drawer open = Drawer.NONE;
@@ -67,6 +69,7 @@ public final class Panels {
         this.view = view;
         this.words = words;
         hud = new Hud(level, lesson);
+        whole = new WholePlate(words);
         effects = new EffectsDrawer(new LevelEffects(level, session, words));
         hint = new HintPlate(level.hint().in(words.locale()), !level.solutions().isEmpty());
     }
@@ -204,6 +207,10 @@ public final class Panels {
      * @param offered commands that are not there in every frame, in their order
      */
     public void draw(Canvas canvas, Refusal refusal, Set<Command> offered, Motion motion) {
+        whole.hide();
+        if (view.isEnlarged()) {
+            whole.draw(canvas, View.KEYS_TOP);
+        }
         if (layout.isInHand()) {
             drawInHand(canvas, refusal, offered, motion);
             return;
@@ -246,6 +253,7 @@ public final class Panels {
             hint.describe(narrator, words);
         }
         keys.describe(narrator, words);
+        whole.describe(narrator);
         hud.describe(narrator, words, session, refusal);
         session.verdict().ifPresent(said -> narrator.says(said.in(words)));
     }
@@ -332,7 +340,13 @@ public final class Panels {
         if (command.isEmpty() && open == Drawer.HINT && hint.isOnSolution(x, y)) {
             return Optional.of(Command.SOLUTION);
         }
-        return command.or(() -> keys.at(x, y));
+        return command.or(() -> keys.at(x, y)).or(() -> whole(x, y));
+    }
+
+    /** The end of a try lies over the play, and so over what is in its corner. */
+    private Optional<Command> whole(double x, double y) {
+        boolean isThere = whole.contains(x, y) && !end().filter(p -> p.contains(x, y)).isPresent();
+        return isThere ? Optional.of(Command.WHOLE) : Optional.empty();
     }
 
     /** Whether a point lies on a panel, so that a click there does not go to the play. */

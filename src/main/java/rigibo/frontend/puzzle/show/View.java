@@ -5,13 +5,14 @@ import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LevelBody;
 import rigibo.frontend.puzzle.level.World;
 import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Scenery;
 
 /**
  * Fits the play between the bar at the top and the keys at the bottom. Levels leave a margin of
  * their world to these two, in which at most beams hang; anything else that opens below the bar
- * makes the picture smaller, and covers nothing.
+ * makes the picture smaller, and covers nothing. Two fingers enlarge a part of it.
  */
 public final class View {
 
@@ -26,8 +27,20 @@ public final class View {
 
     private static final double GROUND = 0.4;
 
+    /** Most that the picture is enlarged by: 20 cm are then as wide as a finger on a phone. */
+    private static final double MOST = 5;
+
     private final World world;
     private final Camera camera;
+
+    /** Upper edge of the play, px. */
+    private double foot = BAR_FOOT;
+
+    /** By what factor the whole picture is enlarged, and what is in the middle of it, world m. */
+    private double enlarged = 1;
+
+    private double middleX;
+    private double middleY;
 
     /** Height above all that the level shows at its start, m. */
     private final double empty;
@@ -36,7 +49,7 @@ public final class View {
         world = level.world();
         empty = world.height() - highest(level);
         camera = new Camera(world.width() / 2, world.height() / 2, Camera.DEFAULT_SCALE);
-        fitBelow(BAR_FOOT);
+        showAll();
     }
 
     private static double highest(Level level) {
@@ -60,13 +73,51 @@ public final class View {
     }
 
     /** Sets the height of the window at which the play begins, px. */
-    public void fitBelow(double foot) {
+    public void fitBelow(double playTop) {
+        foot = playTop;
+        look();
+    }
+
+    /** Shows the whole picture. */
+    public void showAll() {
+        enlarged = 1;
+        look();
+    }
+
+    /** Whether less than the whole picture is seen. */
+    public boolean isEnlarged() {
+        return enlarged > 1;
+    }
+
+    /** Two fingers move or enlarge what is seen, which stays within the whole picture. */
+    public void pinch(Pinch pinch) {
+        double next = Math.max(1, Math.min(MOST, enlarged * pinch.factor()));
+        camera.pinch(new Pinch(next / enlarged, pinch.x(), pinch.y(), pinch.dx(), pinch.dy()));
+        enlarged = next;
+        middleX = camera.worldX(Scene.WIDTH / 2.0);
+        middleY = camera.worldY(foot + room() / 2);
+        look();
+    }
+
+    /** Height of the play, px. */
+    private double room() {
+        return KEYS_TOP - foot;
+    }
+
+    private void look() {
         double sky = foot > BAR_FOOT ? Math.min(SKY, empty) : SKY;
-        double room = KEYS_TOP - foot;
-        double scale =
-                Math.min(Scene.WIDTH / world.width(), room / (world.height() - sky - GROUND));
-        double middle = (GROUND + world.height() - sky) / 2;
-        double aside = (foot + room / 2 - Scene.HEIGHT / 2.0) / scale;
-        camera.look(world.width() / 2, middle + aside, scale);
+        double height = world.height() - sky - GROUND;
+        double whole = Math.min(Scene.WIDTH / world.width(), room() / height);
+        double scale = whole * enlarged;
+        middleX = within(middleX, world.width() / 2, Scene.WIDTH / whole);
+        middleY = within(middleY, GROUND + height / 2, room() / whole);
+        double aside = (foot + room() / 2 - Scene.HEIGHT / 2.0) / scale;
+        camera.look(middleX, middleY + aside, scale);
+    }
+
+    /** The middle of a part of a length, m, of which the whole picture shows all. */
+    private double within(double wanted, double middle, double length) {
+        double reach = length / 2 * (1 - 1 / enlarged);
+        return Math.max(middle - reach, Math.min(middle + reach, wanted));
     }
 }

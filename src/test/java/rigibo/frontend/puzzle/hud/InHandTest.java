@@ -1,18 +1,22 @@
 package rigibo.frontend.puzzle.hud;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 import rigibo.frontend.puzzle.Levels;
+import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.RecordingNarrator;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Tap;
@@ -104,6 +108,54 @@ class InHandTest {
         assertThat(lens.isUnderPanel(pillar[0], pillar[1])).as("beside the finger").isFalse();
         level.choosing(false);
         assertThat(RecordingCanvas.of(level, layout).lines()).hasSize(before);
+    }
+
+    /** A box that is enlarged is clicked where it is seen, and needs no lens any more. */
+    @ParameterizedTest
+    @MethodSource("hands")
+    void twoFingersEnlargeABoxAndOneClicksIt(Layout layout) {
+        Scene level = Levels.entries().get(0).open().apply(director);
+        List<Control> before = boxes(level, layout);
+        double x = middleX(before.get(0));
+        double y = middleY(before.get(0));
+        level.pinched(new Pinch(5, x, y, 0, 0));
+        level.pinched(new Pinch(1, x + 20, y + 10, 20, 10));
+        Control box = boxes(level, layout).get(0);
+        assertThat(middleX(box)).isCloseTo(x + 20, within(ROUND_OFF));
+        assertThat(middleY(box)).isCloseTo(y + 10, within(ROUND_OFF));
+        assertThat(Legibility.faults(level, layout)).isEmpty();
+        assertThat(Legibility.tooSmallForFingers(level, layout)).isEmpty();
+        level.pointerMoved(middleX(box), middleY(box));
+        int lines = RecordingCanvas.of(level, layout).lines().size();
+        level.choosing(true);
+        assertThat(RecordingCanvas.of(level, layout).lines()).hasSize(lines);
+        level.choosing(false);
+
+        level.pointerPressed(PointerButton.LEFT, middleX(box), middleY(box));
+        level.pointerReleased(PointerButton.LEFT, middleX(box), middleY(box));
+        double[] whole = RecordingCanvas.of(level, layout).middleOf("See all of it");
+        assertThat(level.tap(whole[0], whole[1])).isEqualTo(Tap.LIFTED);
+        level.pointerPressed(PointerButton.LEFT, whole[0], whole[1]);
+
+        List<Control> after = boxes(level, layout);
+        assertThat(after).hasSize(before.size() - 1);
+        assertThat(middleX(after.get(0))).isEqualTo(middleX(before.get(1)));
+        assertThat(RecordingCanvas.of(level, layout).texts()).doesNotContain("See all of it");
+    }
+
+    private static List<Control> boxes(Scene level, Layout layout) {
+        RecordingCanvas.of(level, layout);
+        return RecordingNarrator.of(level).controls().stream()
+                .filter(control -> control.name().startsWith("RigiBo"))
+                .toList();
+    }
+
+    private static double middleX(Control control) {
+        return control.x() + control.width() / 2;
+    }
+
+    private static double middleY(Control control) {
+        return control.y() + control.height() / 2;
     }
 
     @ParameterizedTest

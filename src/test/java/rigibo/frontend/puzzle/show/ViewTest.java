@@ -3,11 +3,13 @@ package rigibo.frontend.puzzle.show;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import rigibo.frontend.puzzle.level.LevelTexts;
 import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Scenery;
 
@@ -36,6 +38,53 @@ class ViewTest {
         assertThat(camera.screenX(0)).isGreaterThan(-1e-9);
         assertThat(camera.screenX(width)).isLessThan(Scene.WIDTH + 1e-9);
         assertThat(camera.screenX(width / 2)).isCloseTo(Scene.WIDTH / 2.0, within(1e-9));
+    }
+
+    /** What is between the fingers stays there, and no more is seen than before. */
+    @ParameterizedTest
+    @CsvSource({"2, 0, 0", "3, 30, -20", "1.3, 5, 5"})
+    void twoFingersEnlargeWhatIsBetweenThem(double factor, double dx, double dy) {
+        View view = new View(LevelTexts.sound());
+        Camera camera = view.camera();
+        double x = camera.worldX(350 - dx);
+        double y = camera.worldY(400 - dy);
+        double scale = camera.scale();
+        view.pinch(new Pinch(factor, 350, 400, dx, dy));
+        assertThat(camera.worldX(350)).isCloseTo(x, within(1e-9));
+        assertThat(camera.worldY(400)).isCloseTo(y, within(1e-9));
+        assertThat(camera.scale()).isCloseTo(factor * scale, within(1e-9));
+        assertThat(view.isEnlarged()).isTrue();
+    }
+
+    @Test
+    void whatIsEnlargedStaysWithinTheWholePicture() {
+        View view = new View(LevelTexts.sound());
+        Camera camera = view.camera();
+        double left = camera.worldX(0);
+        double top = camera.worldY(View.BAR_FOOT);
+        double bottom = camera.worldY(View.KEYS_TOP);
+        view.pinch(new Pinch(2, 100, 100, 5000, -5000));
+        assertThat(camera.worldX(0)).isCloseTo(left, within(1e-9));
+        assertThat(camera.worldY(View.KEYS_TOP)).isCloseTo(bottom, within(1e-9));
+        view.pinch(new Pinch(1, 100, 100, 0, 5000));
+        assertThat(camera.worldY(View.BAR_FOOT)).isCloseTo(top, within(1e-9));
+        view.pinch(new Pinch(0.1, 100, 100, 300, 300));
+        assertThat(view.isEnlarged()).isFalse();
+        assertThat(camera.worldX(0)).isCloseTo(left, within(1e-9));
+        assertThat(camera.worldY(View.KEYS_TOP)).isCloseTo(bottom, within(1e-9));
+    }
+
+    @Test
+    void theWholePictureComesBackAsItWas() {
+        View view = new View(LevelTexts.sound());
+        double x = view.camera().screenX(3);
+        double y = view.camera().screenY(2);
+        view.pinch(new Pinch(3, 200, 300, 20, 40));
+        view.fitBelow(124);
+        view.fitBelow(View.BAR_FOOT);
+        view.showAll();
+        assertThat(view.camera().screenX(3)).isEqualTo(x);
+        assertThat(view.camera().screenY(2)).isEqualTo(y);
     }
 
     @ParameterizedTest

@@ -1,0 +1,154 @@
+package rigibo.web.build;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.editor.file.DraftFiles;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.level.LevelLoader;
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Playback;
+import rigibo.frontend.scene.Words;
+
+import java.io.IOException;
+
+/**
+ * Makes a level by touch: a ball on a box on the platform, drawn while the draft is enlarged, with
+ * a name of its own. It is settled, played, saved, and sent as a code that is solved here.
+ */
+final class EditorCheck {
+
+    private static final String NAME = "Made by touch";
+
+    /** Where a new level's ball and platform are, m. */
+    private static final double BALL_X = 2;
+
+    private static final double BALL_Y = 2.55;
+    private static final double PLATFORM_X = 7;
+
+    /** Time until the ball is held for long enough, and the verdict is told, steps. */
+    private static final int UNTIL_SOLVED = 360;
+
+    /** Time until what was drawn has come to rest, steps. */
+    private static final int UNTIL_SETTLED = 240;
+
+    /** Time until a new level lets a box be clicked, steps. */
+    private static final int UNTIL_CLICKED = 72;
+
+    /** Half a minute. */
+    private static final int MOST_STEPS = 1800;
+
+    /** What the page copies is kept where it can be asked for. */
+    private static final String CLIPBOARD =
+            "navigator.clipboard.writeText = text => { window.copied = text; return"
+                    + " Promise.resolve(); }; 1";
+
+    private final Phone phone;
+    private final Words words;
+    private Phone.Spot ball;
+    private double scale;
+    private boolean isEnlarged;
+
+    EditorCheck(Phone phone) throws IOException, InterruptedException {
+        this.phone = phone;
+        words = phone.words();
+    }
+
+    /** Says how it went; returns whether the level was kept, and its code is won as it was. */
+    boolean isLevelMade() throws IOException, InterruptedException {
+        phone.open("editor");
+        phone.page().value(CLIPBOARD);
+        phone.goUntilTold();
+        name();
+        build();
+        play();
+        save();
+        phone.picture("editor-end");
+        boolean isSaved = phone.isKept("levels/", NAME);
+        boolean isWon = isWon(phone.page().value("window.copied"));
+        System.out.printf(
+                "level made by touch: enlarged %s, saved %s, won %s%n", isEnlarged, isSaved, isWon);
+        return isEnlarged && isSaved && isWon;
+    }
+
+    private void tab(String key) throws IOException, InterruptedException {
+        phone.tap(words.of("editor.hand." + key));
+    }
+
+    private void take(String tool) throws IOException, InterruptedException {
+        tab("build");
+        String told = words.of("editor.tool." + tool);
+        phone.tap(told.substring(0, told.indexOf('(')));
+    }
+
+    /** A name of its own, by the keyboard of the screen. */
+    private void name() throws IOException, InterruptedException {
+        tab("fields");
+        phone.tap(words.of("editor.title"));
+        phone.page().send("Input.insertText", "\"text\":\" – " + NAME + "\"");
+        phone.goUntilTold();
+        phone.picture("editor-typing");
+        phone.tap(words.of("editor.hand.typed"));
+        tab("fields");
+    }
+
+    private void build() throws IOException, InterruptedException {
+        look();
+        double before = scale;
+        phone.pinch(ball, ball.plus(0, -100), ball.plus(0, -130));
+        look();
+        isEnlarged = scale > 1.2 * before;
+        take("select");
+        phone.drag(ball, at(PLATFORM_X, 3));
+        take("box");
+        phone.drag(at(6.5, 1.5), at(7.5, 2.5));
+        phone.picture("editor-drawn");
+        tab("more");
+        phone.tap(words.of("editor.settle"));
+        phone.go(UNTIL_SETTLED);
+    }
+
+    /** Learns how large the draft is seen, before anything of it is moved. */
+    private void look() throws IOException, InterruptedException {
+        phone.goUntilTold();
+        ball = phone.place(words.of("editor.ball"));
+        Phone.Spot platform = phone.place(words.of("editor.platform"));
+        scale = (platform.x() - ball.x()) / (PLATFORM_X - BALL_X);
+    }
+
+    /** Where a point of the world, m, is on the page. */
+    private Phone.Spot at(double x, double y) {
+        return ball.plus(scale * (x - BALL_X), scale * (BALL_Y - y));
+    }
+
+    private void play() throws IOException, InterruptedException {
+        phone.tap(words.of("editor.test"));
+        phone.go(UNTIL_CLICKED);
+        phone.tap("RigiBo");
+        phone.go(UNTIL_SOLVED);
+        phone.picture("editor-solved");
+        phone.tap(words.of("puzzle.command.editor"));
+        phone.tap(words.of("editor.won.keep"));
+    }
+
+    private void save() throws IOException, InterruptedException {
+        tab("more");
+        phone.tap(words.of("editor.save"));
+        tab("more");
+        phone.tap(words.of("editor.code"));
+    }
+
+    /** Whether the level of a code is sound, and won by the clicks that the page has kept. */
+    private static boolean isWon(String code) throws IOException {
+        String text = DraftFiles.ofCode(code).draft().toString();
+        Level level = new LevelLoader().parse(NAME, text).level().orElseThrow();
+        Playback here =
+                new Playback(
+                        level,
+                        Recording.of(level, level.solutions().get(0), Accuracy.GAME, MOST_STEPS)
+                                .replay());
+        while (here.game().outcome() == Outcome.RUNNING && here.game().steps() < MOST_STEPS) {
+            here.step();
+        }
+        return here.game().isSolved();
+    }
+}
