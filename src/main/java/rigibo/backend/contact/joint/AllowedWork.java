@@ -37,11 +37,11 @@ final class AllowedWork {
     }
 
     /**
-     * Whether rows did no work but round-off, in an island that is small or not. In a small one
-     * joints may do some: what turns in the drift after a kick takes it back in the next one.
+     * Whether contacts did no work but round-off. Joints may do some: what turns in the drift after
+     * a kick takes it back in the next one.
      */
-    boolean isNone(boolean isSmall) {
-        double done = isSmall ? Math.min(work.sum(), work.sumOfContactsNow()) : work.sum();
+    boolean isNone() {
+        double done = Math.min(work.sum(), work.sumOfContactsNow());
         return done <= ROUND_OFF * energy() && work.isAllOfRows();
     }
 
