@@ -32,6 +32,8 @@ class VibratingBridgeTest {
     @ParameterizedTest
     @CsvSource({
         "GAME, 0.6, 0.44",
+        "GAME, 0.5, 0.4",
+        "GAME, 0.4, 0.3",
         "EXACT, 0.5, 0.4",
         "EXACT, 0.4, 0.3",
     })

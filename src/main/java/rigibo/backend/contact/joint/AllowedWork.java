@@ -36,9 +36,12 @@ final class AllowedWork {
         return !(work.sum() <= share * (energy() + noise));
     }
 
-    /** Whether rows did no work but round-off, in an island that is small or not. */
-    boolean isNone(boolean isSmall) {
-        double done = isSmall ? Math.min(work.sum(), work.sumOfStops()) : work.sum();
+    /**
+     * Whether contacts did no work but round-off. Joints may do some: what turns in the drift after
+     * a kick takes it back in the next one.
+     */
+    boolean isNone() {
+        double done = Math.min(work.sum(), work.sumOfContactsNow());
         return done <= ROUND_OFF * energy() && work.isAllOfRows();
     }
 

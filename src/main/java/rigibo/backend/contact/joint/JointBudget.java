@@ -29,7 +29,10 @@ final class JointBudget {
 
     private static final double LARGEST_ELIMINATIONS = 32;
 
-    /** Multiplications in a step that a small island is worth, whatever one elimination takes. */
+    /**
+     * Multiplications in a step of the game that a small island is worth, whatever one elimination
+     * takes; with the square of the number of substeps where these are more.
+     */
     private static final double LEAST_WORTH = 1e6;
 
     /**
@@ -70,6 +73,7 @@ final class JointBudget {
     private final RowElimination elimination;
     private final int substeps;
     private final double worth;
+    private final double leastWorth;
 
     private boolean isSmall;
     private boolean isWhole;
@@ -82,6 +86,8 @@ final class JointBudget {
         this.rows = rows;
         this.elimination = elimination;
         substeps = accuracy.substeps();
+        double times = Math.max(1, substeps / (double) Accuracy.GAME.substeps());
+        leastWorth = LEAST_WORTH * times * times;
         worth = substeps < Accuracy.EXACT.substeps() ? WORTH : WORTH_IF_EXACT;
     }
 
@@ -108,7 +114,7 @@ final class JointBudget {
         double one = isTiny(substepsOfIsland) ? 0 : elimination.workOfAll();
         isWhole = !areMany && one <= worth;
         double eliminations = ELIMINATIONS * one * substepsOfIsland;
-        double least = isSmall ? LEAST_WORTH : 0;
+        double least = isSmall ? leastWorth : 0;
         double most = Math.min(LARGEST_ELIMINATIONS * worth, Math.max(least, eliminations));
         elimination.beginIsland(most);
         int affordable = SOLVES / (substepsOfIsland * Math.max(1, rows.count));
@@ -122,7 +128,7 @@ final class JointBudget {
     private boolean isTiny(int substepsOfIsland) {
         double n = rows.count;
         double most = n * (n + 1) * (2 * n + 1) / 12;
-        return isSmall && ELIMINATIONS * most * substepsOfIsland <= LEAST_WORTH;
+        return isSmall && ELIMINATIONS * most * substepsOfIsland <= leastWorth;
     }
 
     /** Stops using elimination once it has spent the island's budget. */

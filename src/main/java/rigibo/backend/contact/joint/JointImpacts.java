@@ -241,8 +241,10 @@ public final class JointImpacts {
         if (linear + quadratic > 0) {
             double share = Math.max(0, -linear / quadratic);
             for (int row = 0; row < rows.count; row++) {
-                rows.push(row, (share - 1) * rows.impulse[row]);
+                rows.impulse[row] *= share;
             }
+            // Huge impulses that were taken back would leave their round-off.
+            memory.redo();
         }
         return Math.abs(linear) + Math.abs(quadratic) < Double.POSITIVE_INFINITY;
     }

@@ -72,19 +72,29 @@ final class JointRows {
      */
     void write(double kickLength, double driftLength) {
         isAtOnce = false;
+        springs.begin(kickLength, driftLength, false);
         writeAll(kickLength, driftLength);
+    }
+
+    /**
+     * Writes them likewise for the last kick of a substep of h seconds, after which none drifts.
+     */
+    void writeAtRest(double kickLength, double h) {
+        isAtOnce = false;
+        springs.begin(kickLength, h, true);
+        writeAll(kickLength, h);
     }
 
     /** Writes the rows of all joints for an impact, without springs and motors of limited force. */
     void writeAtOnce() {
         isAtOnce = true;
+        springs.begin(1, 1, false);
         writeAll(1, 1);
     }
 
     private void writeAll(double kickLength, double driftLength) {
         kick = kickLength;
         drift = driftLength;
-        springs.begin(kickLength, driftLength);
         for (joint = 0; joint < packed.count; joint++) {
             slot = packed.slot[joint];
             a = packed.offsetA[joint];

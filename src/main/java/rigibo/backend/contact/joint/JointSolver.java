@@ -321,16 +321,22 @@ public final class JointSolver {
      * which they drift for h.
      */
     public void write(double kick, double h) {
-        write(kick, h, budget.isWhole());
+        beginKick(kick, h, budget.isWhole());
+        writeRows(kick, h);
+        results.keepArms(poses);
     }
 
     /** Writes them likewise before a kick after which nothing drifts. */
     public void writeAtRest(double kick, double h) {
-        write(kick, h, false);
+        beginKick(kick, h, false);
+        areWritten = false;
+        rows.clear();
+        jointRows.writeAtRest(kick, h);
+        results.keepArms(poses);
     }
 
-    /** Writes them; what is too taut answers by inertia where it may. */
-    private void write(double kick, double h, boolean mayAnswer) {
+    /** Takes poses; what is too taut answers by inertia where it may. */
+    private void beginKick(double kick, double h, boolean mayAnswer) {
         share = kicked == 0 ? 0 : kick / kicked;
         poses.take(0);
         if (needed.isTaut() && mayAnswer && kicked > 0) {
@@ -339,8 +345,6 @@ public final class JointSolver {
             inertia.release();
         }
         kicked = kick;
-        writeRows(kick, h);
-        results.keepArms(poses);
     }
 
     /** Writes them for the poses that were taken. */
@@ -430,7 +434,7 @@ public final class JointSolver {
     private void secure(boolean isSolved, boolean isGained, double settled) {
         boolean areAny = isSolved ? contactRows.carry() : contactRows.areAny();
         boolean mayDoWork = areAny || elimination.isSpent() || allowed.isAnyDriven(isSolved);
-        boolean isNone = isSolved && !isGained && allowed.isNone(budget.isSmall());
+        boolean isNone = isSolved && !isGained && allowed.isNone();
         if (mayDoWork && !isNone) {
             work.takeBack();
             work.rest();

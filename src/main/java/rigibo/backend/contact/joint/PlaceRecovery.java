@@ -80,9 +80,12 @@ final class PlaceRecovery {
     void correct(double h) {
         double most = mostWay(h);
         kept = 0;
-        if (!asks(h)) {
-            return;
+        if (asks(h) && !closesOnContacts(most)) {
+            closeWithoutContacts(most);
         }
+    }
+
+    private void closeWithoutContacts(double most) {
         double farthest = close(most);
         boolean isNear = farthest <= most;
         if (!isNear && !closesEquations(most, farthest)) {
@@ -120,11 +123,52 @@ final class PlaceRecovery {
             }
         }
         if (isAny) {
-            // Contacts are left out, since they might contradict the joints; overlap that results
-            // is removed separately.
             leaveContactsOut();
         }
         return isAny;
+    }
+
+    /**
+     * Closes all places without moving bodies into what they lie on: contacts that carry hold their
+     * gaps, but for those that would have to pull. Returns whether it did: not where no contact
+     * carries, nor where an outline would move too far, since contacts may contradict joints.
+     */
+    private boolean closesOnContacts(double most) {
+        boolean isAny = false;
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.isPoint(row) && rows.impulse[row] > 0) {
+                elimination.put(row, true);
+                isAny = true;
+            }
+        }
+        boolean isClosed = isAny && closeWithoutPulling() && close(most) <= most;
+        if (isAny && !isClosed) {
+            leaveContactsOut();
+        }
+        return isClosed;
+    }
+
+    /** Leaves those contacts out that would have to pull; returns whether any is left. */
+    private boolean closeWithoutPulling() {
+        boolean isAnyLeft = true;
+        boolean isAnyPulled = true;
+        while (isAnyPulled) {
+            elimination.solveFor(wanted);
+            isAnyPulled = false;
+            isAnyLeft = false;
+            int size = elimination.size();
+            for (int i = 0; i < size; i++) {
+                int row = elimination.row(i);
+                boolean isContact = rows.isPoint(row);
+                if (isContact && elimination.answer(i) < 0) {
+                    elimination.put(row, false);
+                    isAnyPulled = true;
+                } else {
+                    isAnyLeft |= isContact;
+                }
+            }
+        }
+        return isAnyLeft;
     }
 
     /** Asks for a row's error to be removed; returns whether it is larger than allowed. */
@@ -139,6 +183,7 @@ final class PlaceRecovery {
         return Math.abs(over) > missed + 2 * jointRows.roundOff() / rows.unit[row];
     }
 
+    /** Leaves contacts out; overlap that results is removed separately. */
     private void leaveContactsOut() {
         for (int row = 0; row < rows.count; row++) {
             if (rows.joint[row] == NeutralRows.NONE) {

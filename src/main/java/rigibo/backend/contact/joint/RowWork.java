@@ -63,26 +63,26 @@ final class RowWork {
         }
     }
 
-    /** Work done since by rows that may do none, J. */
+    /** Work done since by contacts and by what joints hold, J: they may do none. */
     double sum() {
-        double sum = sumOfStops();
+        double sum = 0;
         for (int row = 0; row < rows.count; row++) {
-            boolean isHeld = rows.impulse[row] != 0 && rows.holdsPlace[row];
-            sum += isHeld && rows.isEquation(row) ? of(row) : 0;
+            boolean mayDoNone = rows.holdsPlace[row] || rows.contact[row] != NeutralRows.NONE;
+            sum += rows.impulse[row] != 0 && mayDoNone ? of(row) : 0;
         }
         return sum;
     }
 
     /**
-     * Work done since by contacts, limits and ropes, J. That of equations in a kick is undone in
-     * the next one, as far as bodies turn in the drift between.
+     * Work that contacts would do at the speeds which they have now, J: none, where they are
+     * solved. What runs along a surface may drive; only what is off its speed counts.
      */
-    double sumOfStops() {
+    double sumOfContactsNow() {
         double sum = 0;
         for (int row = 0; row < rows.count; row++) {
-            if (rows.impulse[row] != 0) {
-                boolean isStop = rows.holdsPlace[row] && !rows.isEquation(row);
-                sum += isStop || rows.contact[row] != NeutralRows.NONE ? of(row) : 0;
+            if (rows.impulse[row] != 0 && rows.contact[row] != NeutralRows.NONE) {
+                double driven = rows.isPoint(row) ? 0 : rows.target[row];
+                sum += rows.impulse[row] * (rows.speed(row) - driven);
             }
         }
         return sum;

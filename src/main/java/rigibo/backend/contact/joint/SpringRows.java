@@ -5,23 +5,38 @@ import rigibo.backend.storage.JointStore;
 
 /**
  * Springs and dampers as rows with compliance. A spring that oscillates slowly relative to the
- * substep acts with its present force, j = −L·(k·x + c·(w₀ + w₁)/2), which is symmetric in time and
- * keeps the energy of a leapfrog. A stiffer one acts with the force at the end of the drift, j =
- * −L·(k·(x + h·w₁) + c·w₁), which is stable at any stiffness, rests at the same place and only
- * loses energy (Baraff and Witkin, Large steps in cloth simulation, 1998).
+ * substep acts with its present force, j = −L·k·x, which is symmetric in time and keeps the energy
+ * of a leapfrog. If it is damped, j = −L·k·x − c′·(w₀ + w₁)/2 − m′·(w₁ − w₀), where c′ and m′ make
+ * a body that nothing else moves follow the truth to round-off ({@link DampedSwing}); what rests
+ * sags by what the spring gives way by, whatever they are. A stiffer one acts with the force at the
+ * end of the drift, j = −L·(k·(x + h·w₁) + c·w₁), which is stable at any stiffness, rests at the
+ * same place and only loses energy (Baraff and Witkin, Large steps in cloth simulation, 1998).
  */
 final class SpringRows {
 
     /** Phase of a spring in a substep from which on it counts as stiff, rad. */
     static final double STIFF = 0.7;
 
+    /** Phase below which round-off is more than what a damped swing is off otherwise, rad. */
+    private static final double SLOW = 1e-2;
+
+    /** Decay within a drift from which on a body creeps, and swings no more. */
+    private static final double CREEPS = 20;
+
     private final JointStore joints;
     private final NeutralRows rows;
 
-    /** Lengths of the kick and of the drift after it, s. */
+    /**
+     * Lengths of the kick and of a substep's drift, s, and of the drifts before and after it; some
+     * of a composed substep are negative.
+     */
     private double kick;
 
     private double drift;
+    private double before;
+    private double after;
+
+    private final DampedSwing swing = new DampedSwing();
 
     /** The joint of the row that was written last, how far it is from rest, and how. */
     private int slot;
@@ -37,9 +52,12 @@ final class SpringRows {
     /** Whether one of the rows written since is stiff. */
     boolean areAnyStiff;
 
-    void begin(double kickLength, double driftLength) {
+    /** Begins with rows for a kick in a substep of h seconds, after which bodies may drift. */
+    void begin(double kickLength, double h, boolean isLast) {
         kick = kickLength;
-        drift = driftLength;
+        drift = h;
+        before = isLast ? 2 * kick : 2 * kick - h;
+        after = isLast ? 0 : h;
         areAnyStiff = false;
     }
 
@@ -67,14 +85,33 @@ final class SpringRows {
             rows.give[row] = 1 / (kick * (c + length * k));
             rows.target[row] = -k * away / (c + length * k);
         } else if (c > 0) {
-            // If nothing else acts, this is the exact decay rather than an approximation.
-            double decay = kick * c * rows.response[row] / 2;
-            double half = decay == 0 ? 0 : Exponential.tanh(decay) / rows.response[row];
-            rows.give[row] = 1 / half;
-            rows.target[row] = -rows.speed(row) - kick * k * away / half;
+            damp(row, k, c * rows.response[row] / 2);
         } else {
             rows.lower[row] = -kick * k * away;
             rows.upper[row] = rows.lower[row];
         }
+    }
+
+    /** Writes a damped spring that decays at a rate in 1/s, if nothing else acts. */
+    private void damp(int row, double k, double decay) {
+        double response = rows.response[row];
+        double square = k * response;
+        double kept;
+        double inertia;
+        if (square * drift * drift > SLOW * SLOW && decay * Math.abs(drift) < CREEPS) {
+            swing.between(square, decay, before, after);
+            kept = swing.kept;
+            inertia = kick * square / swing.pulled;
+        } else {
+            // The exact decay, if nothing else acts.
+            double slows = Exponential.tanh(kick * decay);
+            inertia = 1 + slows;
+            kept = (1 - slows) / inertia;
+        }
+        // Alone it does inertia·w₁ = inertia·kept·w₀ − L·k·x·response, and w₁ = w₀ + response·j.
+        double resists = inertia - 1;
+        rows.give[row] = response / resists;
+        rows.target[row] =
+                (-rows.speed(row) * (1 - inertia * kept) - kick * square * away) / resists;
     }
 }

@@ -16,7 +16,7 @@ public final class EnergyBalance {
      * Largest share of the kinetic energy that is taken in a step: a body at rest in an overlap has
      * none.
      */
-    private static final double MOST = 1e-3;
+    private static final double MOST = 1e-2;
 
     private final Bodies bodies;
     private final Motions motions;
