@@ -98,7 +98,9 @@ final class SpringRows {
         double square = k * response;
         double kept;
         double inertia;
-        if (square * drift * drift > SLOW * SLOW && decay * Math.abs(drift) < CREEPS) {
+        // A part may end after any time, however short, at an impact.
+        double longest = Math.max(Math.abs(before), Math.abs(after));
+        if (square * longest * longest > SLOW * SLOW && decay * longest < CREEPS) {
             swing.between(square, decay, before, after);
             kept = swing.kept;
             inertia = kick * square / swing.pulled;
