@@ -11,6 +11,9 @@ final class AllowedWork {
     /** Most work of equations in a kick whose places are held, as a share of the energy. */
     private static final double MOST_OF_TURNING = 0.1;
 
+    /** Most such work where contacts carry as well, as a share of the energy. */
+    private static final double LITTLE = 1e-2;
+
     /**
      * Most such work if Newton's method does not reach the places, which turning does not explain.
      */
@@ -37,11 +40,12 @@ final class AllowedWork {
     }
 
     /**
-     * Whether contacts did no work but round-off. Joints may do some: what turns in the drift after
-     * a kick takes it back in the next one.
+     * Whether contacts did no work but round-off. Joints may do a little: what turns in the drift
+     * after a kick takes it back in the next one.
      */
     boolean isNone() {
-        double done = Math.min(work.sum(), work.sumOfContactsNow());
+        boolean isLittle = work.sum() <= LITTLE * energy();
+        double done = isLittle ? Math.min(work.sum(), work.sumOfContactsNow()) : work.sum();
         return done <= ROUND_OFF * energy() && work.isAllOfRows();
     }
 
