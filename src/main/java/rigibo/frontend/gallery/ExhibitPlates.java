@@ -15,6 +15,7 @@ import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -69,7 +70,8 @@ final class ExhibitPlates {
             Pool pool,
             String figure,
             boolean isPaused,
-            List<HandButtons.Item> items) {
+            List<HandButtons.Item> items,
+            List<HandButtons.Item> more) {
         buttons.clear();
         isInHand = canvas.layout().isInHand();
         if (isInHand) {
@@ -77,7 +79,8 @@ final class ExhibitPlates {
                     new Enlarged(canvas),
                     pool,
                     isPaused ? words.of("gallery.paused") : figure,
-                    items);
+                    items,
+                    more);
         } else if (canvas.layout().columns() > 0) {
             drawColumn(canvas, pool, isPaused ? words.of("gallery.paused") : figure);
         } else {
@@ -115,11 +118,15 @@ final class ExhibitPlates {
 
     /** What is said of it is folded to its title and figure until it is asked for. */
     private void drawInHand(
-            Enlarged canvas, Pool pool, String state, List<HandButtons.Item> items) {
-        List<HandButtons.Item> tabs =
-                List.of(
-                        new HandButtons.Item(words.of("gallery.about"), isOpen, this::toggle),
-                        new HandButtons.Item(accuracy(pool), () -> turn(pool)));
+            Enlarged canvas,
+            Pool pool,
+            String state,
+            List<HandButtons.Item> items,
+            List<HandButtons.Item> more) {
+        List<HandButtons.Item> tabs = new ArrayList<>();
+        tabs.add(new HandButtons.Item(words.of("gallery.about"), isOpen, this::toggle));
+        tabs.add(new HandButtons.Item(accuracy(pool), () -> turn(pool)));
+        tabs.addAll(more);
         HandFrame frame = HandFrame.of(canvas.layout(), items.size(), tabs.size());
         buttons.draw(canvas, frame.buttons(), items);
         buttons.draw(canvas, frame.tabs(), tabs);

@@ -8,12 +8,14 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.accuracy.AccuracyLink;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.joint.JointPicture;
 import rigibo.frontend.scene.widget.HandButtons;
@@ -63,6 +65,16 @@ final class ExhibitScene implements Scene {
     @Override
     public String title() {
         return "RigiBo – " + plates.title();
+    }
+
+    @Override
+    public Link link() {
+        return AccuracyLink.in(Link.to(found.name()), showing.pool());
+    }
+
+    @Override
+    public boolean follow(Link link) {
+        return AccuracyLink.follow(link, showing.pool()) == link.choices().size();
     }
 
     @Override
@@ -137,7 +149,13 @@ final class ExhibitScene implements Scene {
             whole.draw(canvas, HEIGHT);
         }
         if (!isBare || canvas.layout().isInHand()) {
-            plates.draw(canvas, showing.pool(), sketch.figure(), isPaused, buttons());
+            plates.draw(
+                    canvas,
+                    showing.pool(),
+                    sketch.figure(),
+                    isPaused,
+                    buttons(),
+                    HandButtons.ofAddress(director));
         }
     }
 

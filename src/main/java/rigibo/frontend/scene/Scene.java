@@ -20,6 +20,18 @@ public interface Scene {
     /** The window's title. */
     String title();
 
+    /** What an address says of it; the menu where no address leads here. */
+    default Link link() {
+        return Link.MENU;
+    }
+
+    /**
+     * Chooses what a link says, once, before anything else; returns whether it could choose all.
+     */
+    default boolean follow(Link link) {
+        return link.choices().isEmpty();
+    }
+
     /** What is behind it. */
     default Scenery scenery() {
         return Scenery.WORKSHOP;

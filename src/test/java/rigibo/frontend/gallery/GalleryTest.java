@@ -171,6 +171,7 @@ class GalleryTest {
     void anExhibitIsUsedByButtonsInAHand() {
         for (Layout layout : Legibility.HANDS) {
             RecordingDirector director = new RecordingDirector();
+            director.hasAddress = true;
             Scene scene = new ExhibitScene(director, exhibits().get(0));
             assertThat(Legibility.tooSmallForFingers(scene, layout)).isEmpty();
             touch(scene, layout, "Pause");
@@ -179,6 +180,8 @@ class GalleryTest {
             assertThat(Legibility.faults(scene, layout)).isEmpty();
             touch(scene, layout, "GAME");
             assertThat(RecordingCanvas.of(scene, layout).texts()).contains("FINE");
+            touch(scene, layout, "link");
+            assertThat(director.asked).containsExactly("share");
             touch(scene, layout, "Gallery");
             assertThat(director.shown).hasSize(1);
         }
