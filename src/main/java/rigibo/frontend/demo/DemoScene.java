@@ -33,9 +33,6 @@ final class DemoScene implements Scene {
 
     private static final String TITLE = "RigiBo – ";
 
-    private static final String GHOST = "ghost";
-    private static final String ON = "on";
-
     private static final double ZOOM = 1.15;
 
     /** Where the legend of the debug drawing stands, above the plates at the foot, px. */
@@ -90,7 +87,7 @@ final class DemoScene implements Scene {
     @Override
     public Link link() {
         Link accurate = AccuracyLink.in(Link.to(demo.name()), bench.pool());
-        return choices.in(plates.isGhostOpen() ? accurate.with(GHOST, ON) : accurate);
+        return choices.in(plates.isGhostOpen() ? accurate.withGhost() : accurate);
     }
 
     @Override
@@ -100,7 +97,7 @@ final class DemoScene implements Scene {
             demo.followed();
         }
         taken += AccuracyLink.follow(link, bench.pool());
-        if (ON.equals(link.choices().get(GHOST))) {
+        if (link.hasGhost()) {
             plates.openGhost();
             taken++;
         }

@@ -21,6 +21,9 @@ public record Link(String scene, Map<String, String> choices) {
     /** Longer texts are no links, in characters. */
     static final int LONGEST = 400;
 
+    private static final String GHOST = "ghost";
+    private static final String ON = "on";
+
     private static final Pattern NAME = Pattern.compile("[a-z0-9-]{1,60}");
 
     private static final Pattern VALUE =
@@ -53,6 +56,16 @@ public record Link(String scene, Map<String, String> choices) {
             }
         }
         return new Link(scene, read);
+    }
+
+    /** Returns this link with the ghost shown. */
+    public Link withGhost() {
+        return with(GHOST, ON);
+    }
+
+    /** Whether the ghost is to be shown. */
+    public boolean hasGhost() {
+        return ON.equals(choices.get(GHOST));
     }
 
     /** Returns this link with one more choice. */

@@ -42,6 +42,11 @@ public interface Scene {
         return false;
     }
 
+    /** Whether it has a text beside it, which is to have all the room that there is. */
+    default boolean hasSource() {
+        return false;
+    }
+
     /** Factor up to which its small text can grow; see {@link Layout#withText}. */
     default double mostType() {
         return Layout.MOST_TYPE;
