@@ -51,6 +51,14 @@ class ExhibitSidesTest {
         scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
 
+    /** The number of the page, which is drawn last. */
+    private static String page(List<String> texts) {
+        return texts.stream()
+                .filter(any -> any.matches("\\d+ / \\d+"))
+                .reduce((one, next) -> next)
+                .orElseThrow();
+    }
+
     private static String letters(String text) {
         return text.replaceAll("\\s", "");
     }
@@ -65,15 +73,11 @@ class ExhibitSidesTest {
         for (int i = 0; i < MANY; i++) {
             assertThat(Legibility.faults(scene, WIDE)).isEmpty();
             List<String> texts = RecordingCanvas.of(scene, WIDE).texts();
-            String page =
-                    texts.stream()
-                            .filter(any -> any.matches("\\d+ / \\d+"))
-                            .findFirst()
-                            .orElseThrow();
+            String page = page(texts);
             if (pages.add(page)) {
                 // It is drawn after the tabs, of which the ghost's is the last.
                 int begin = texts.indexOf("ghost") + 1;
-                read.append(String.join("", texts.subList(begin, texts.indexOf(page))));
+                read.append(String.join("", texts.subList(begin, texts.lastIndexOf(page))));
             }
             scene.scrolled(-1, WIDE.sourceLeft() + 20, 780);
         }
@@ -102,11 +106,7 @@ class ExhibitSidesTest {
         for (int i = 0; i < MANY; i++) {
             List<String> texts = RecordingCanvas.of(scene, layout).texts();
             all.addAll(texts);
-            String page =
-                    texts.stream()
-                            .filter(any -> any.matches("\\d+ / \\d+"))
-                            .findFirst()
-                            .orElseThrow();
+            String page = page(texts);
             touch(scene, layout, page);
         }
         return all;
