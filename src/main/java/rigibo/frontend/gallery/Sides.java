@@ -32,7 +32,7 @@ final class Sides {
     /** Takes whether there is room for a text beside the scene. */
     void fit(boolean isWide) {
         if (isUntouched) {
-            open = isWide ? Optional.of(Side.SOURCE) : Optional.empty();
+            open = isWide && has(Side.SOURCE) ? Optional.of(Side.SOURCE) : Optional.empty();
         }
     }
 
@@ -45,9 +45,9 @@ final class Sides {
         return open.filter(side::equals).isPresent();
     }
 
-    /** Opens a plate in place of any other, or folds it. */
+    /** Opens a plate in place of any other, if there is anything on it, or folds it. */
     void toggle(Side side) {
-        open = isOpen(side) ? Optional.empty() : Optional.of(side);
+        open = isOpen(side) || !has(side) ? Optional.empty() : Optional.of(side);
         isUntouched = false;
     }
 

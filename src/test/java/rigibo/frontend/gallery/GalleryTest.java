@@ -311,7 +311,9 @@ class GalleryTest {
         assertThat(new ExhibitWords(new Words("de")).title(strange)).isEqualTo("OneBall");
         Scene scene = new ExhibitScene(director, strange);
         scene.step();
+        scene.keyPressed(Key.S);
         assertThat(Legibility.faults(scene)).isEmpty();
+        assertThat(RecordingCanvas.of(scene).texts()).doesNotContain("source", "1 / 1");
     }
 
     /** A ball that falls. */
