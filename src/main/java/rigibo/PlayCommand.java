@@ -90,9 +90,8 @@ final class PlayCommand implements Callable<Integer> {
         if (scene == null) {
             return null;
         }
-        return Catalog.find(scene)
-                .orElseThrow(() -> new ParameterException(spec.commandLine(), unknown()))
-                .open();
+        return Catalog.linked(scene)
+                .orElseThrow(() -> new ParameterException(spec.commandLine(), unknown()));
     }
 
     private String unknown() {

@@ -13,6 +13,7 @@ import rigibo.frontend.puzzle.Films;
 import rigibo.frontend.puzzle.Levels;
 import rigibo.frontend.puzzle.PlayerFiles;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
@@ -54,6 +55,23 @@ public final class Catalog {
         return Stream.concat(entries().stream(), exhibits().stream())
                 .filter(entry -> entry.name().equals(name))
                 .findFirst();
+    }
+
+    /**
+     * The scene to which the text of a link leads, with what is chosen there; nothing where there
+     * is no such scene. What a link says beyond that is left out, and the player is told.
+     */
+    public static Optional<Function<Director, Scene>> linked(String text) {
+        Link link = Link.of(text);
+        return find(link.scene()).map(entry -> director -> open(entry, link, director));
+    }
+
+    private static Scene open(SceneEntry entry, Link link, Director director) {
+        Scene scene = entry.open().apply(director);
+        if (!scene.follow(link)) {
+            director.say(director.words().of("link.partly"));
+        }
+        return scene;
     }
 
     /**

@@ -66,8 +66,8 @@ final class CarDemo implements Demo {
     }
 
     @Override
-    public String title() {
-        return words.of("scene.car");
+    public String name() {
+        return "car";
     }
 
     @Override
@@ -172,9 +172,8 @@ final class CarDemo implements Demo {
                         0.1,
                         () -> settings.place,
                         this::shift),
-                new Toggle(words.of("car.all"), () -> settings.isAllDriven, this::flip),
-                new Toggle(
-                        words.of("car.follow"), () -> isFollowed, () -> isFollowed = !isFollowed),
+                new Toggle(words, "car.all", () -> settings.isAllDriven, this::flip),
+                new Toggle(words, "car.follow", () -> isFollowed, () -> isFollowed = !isFollowed),
                 new Button(words.of("car.again"), this::again),
                 new Readout(words.of("car.rear.predicted"), () -> newtons(rear()[0])),
                 new Readout(words.of("car.rear.measured"), () -> newtons(rear()[1])),

@@ -57,6 +57,9 @@ final class CrateDemo implements Demo {
     /** Speed of the floor where surfaces run, m/s; a negative one carries bodies to the right. */
     private static final double BELT_SPEED = -0.8;
 
+    /** Crates of the stack with which it begins. */
+    private static final int FIRST = 10;
+
     private Workbench bench;
 
     /** By crate of the stack: the x at which it was placed, m. */
@@ -82,8 +85,8 @@ final class CrateDemo implements Demo {
     }
 
     @Override
-    public String title() {
-        return words.of("scene.crate");
+    public String name() {
+        return "crate";
     }
 
     @Override
@@ -118,8 +121,13 @@ final class CrateDemo implements Demo {
                         .material(new Material(1, 0.6, 0).surfaceSpeed(BELT_SPEED)),
                 Skin.STONE);
         bench.add(BodyDefinition.fixed(Polygon.box(1.6, 1.2)).at(LEDGE_X, 0.6), Skin.WOOD);
-        stack(10);
+        stack(FIRST);
         placeOnEdge();
+    }
+
+    @Override
+    public void followed() {
+        stack(FIRST);
     }
 
     private void stack(int count) {

@@ -44,7 +44,8 @@ final class Crews {
         return most == 1
                 ? new Readout(words.of("flood.workers"), () -> words.of("flood.one-processor"))
                 : new Choice(
-                        words.of("flood.workers"),
+                        words,
+                        "flood.workers",
                         IntStream.rangeClosed(1, most).mapToObj(Integer::toString).toList(),
                         () -> chosen.workers - 1,
                         index -> choose(index + 1));

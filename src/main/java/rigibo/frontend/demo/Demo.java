@@ -12,8 +12,8 @@ import java.util.List;
 /** One demo: its effects, bodies, controls and readouts. */
 interface Demo {
 
-    /** The window's title and the name on the screen. */
-    String title();
+    /** Its name, by which the menu and links find it. */
+    String name();
 
     /** The effects that the scene declares. */
     Effects effects();
@@ -45,6 +45,9 @@ interface Demo {
     default boolean goesOnToTheRight() {
         return false;
     }
+
+    /** The controls were set by a link: begins anew with what they say. */
+    default void followed() {}
 
     /** Before each step. */
     default void beforeStep(Workbench bench) {}

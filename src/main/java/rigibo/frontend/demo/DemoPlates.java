@@ -127,6 +127,14 @@ final class DemoPlates {
         haunt();
     }
 
+    boolean isGhostOpen() {
+        return folds.isOpen(Fold.GHOST);
+    }
+
+    void openGhost() {
+        folds.open(Fold.GHOST);
+    }
+
     /** Makes a ghost while its plate is open or the demo wants it. */
     private void haunt() {
         bench.haunt(folds.isOpen(Fold.GHOST) || folds.isOneAtATime() && wasGhostWanted);
@@ -152,14 +160,21 @@ final class DemoPlates {
         accuracy.paced(share);
     }
 
-    /** Draws what there is room for; in a hand also buttons, since there are no keys. */
-    void draw(Canvas canvas, boolean isPaused, List<HandButtons.Item> items) {
+    /**
+     * Draws what there is room for; in a hand also buttons, since there are no keys, and more of
+     * them beside the tabs.
+     */
+    void draw(
+            Canvas canvas,
+            boolean isPaused,
+            List<HandButtons.Item> items,
+            List<HandButtons.Item> more) {
         Layout layout = canvas.layout();
         folds.fit(layout, mostColumns);
         haunt();
         forget();
         if (layout.isInHand()) {
-            drawInHand(canvas, isPaused, items);
+            drawInHand(canvas, isPaused, items, more);
             return;
         }
         inHand = Optional.empty();
@@ -239,13 +254,19 @@ final class DemoPlates {
     }
 
     /** Draws buttons and tabs around the scene, and over it the plate that is open. */
-    private void drawInHand(Canvas canvas, boolean isPaused, List<HandButtons.Item> items) {
+    private void drawInHand(
+            Canvas canvas,
+            boolean isPaused,
+            List<HandButtons.Item> items,
+            List<HandButtons.Item> more) {
         Enlarged enlarged = new Enlarged(canvas);
         List<Fold> tabbed = tabs(fold -> true);
-        HandFrame places = HandFrame.of(enlarged.layout(), items.size(), tabbed.size());
+        HandFrame places =
+                HandFrame.of(enlarged.layout(), items.size(), tabbed.size() + more.size());
         inHand = Optional.of(enlarged);
         buttons.draw(enlarged, places.buttons(), items);
         tabs.draw(enlarged, tabbed, places.tabs());
+        buttons.draw(enlarged, places.tabs().subList(tabbed.size(), places.tabs().size()), more);
         for (Fold fold : tabbed) {
             if (folds.isOpen(fold)) {
                 draw(enlarged, fold, places.room(), isPaused);

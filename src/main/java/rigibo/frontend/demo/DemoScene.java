@@ -7,12 +7,14 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.accuracy.AccuracyLink;
 import rigibo.frontend.scene.accuracy.AccuracyMeter;
 import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.trial.Trials;
@@ -29,7 +31,7 @@ import java.util.function.Function;
  */
 final class DemoScene implements Scene {
 
-    static final String TITLE = "RigiBo – ";
+    private static final String TITLE = "RigiBo – ";
 
     private static final double ZOOM = 1.15;
 
@@ -43,6 +45,7 @@ final class DemoScene implements Scene {
     private Demo demo;
     private Workbench bench;
     private DemoPlates plates;
+    private Choices choices;
     private final Trials trials = Trials.inBackground();
     private final CostMeter costs = new CostMeter(trials);
     private final AccuracyMeter errors = new AccuracyMeter(trials);
@@ -69,6 +72,7 @@ final class DemoScene implements Scene {
         }
         bench = new Workbench(demo.effects(), camera);
         demo.build(bench);
+        choices = new Choices(demo.widgets());
         plates =
                 plates == null
                         ? new DemoPlates(demo, bench, director.words(), errors, costs)
@@ -77,7 +81,27 @@ final class DemoScene implements Scene {
 
     @Override
     public String title() {
-        return TITLE + demo.title();
+        return TITLE + director.words().of("scene." + demo.name());
+    }
+
+    @Override
+    public Link link() {
+        Link accurate = AccuracyLink.in(Link.to(demo.name()), bench.pool());
+        return choices.in(plates.isGhostOpen() ? accurate.withGhost() : accurate);
+    }
+
+    @Override
+    public boolean follow(Link link) {
+        int taken = choices.follow(link);
+        if (taken > 0) {
+            demo.followed();
+        }
+        taken += AccuracyLink.follow(link, bench.pool());
+        if (link.hasGhost()) {
+            plates.openGhost();
+            taken++;
+        }
+        return taken == link.choices().size();
     }
 
     @Override
@@ -104,7 +128,7 @@ final class DemoScene implements Scene {
     }
 
     private void showBeside(int direction) {
-        director.show(Demos.beside(title(), direction, director));
+        director.show(Demos.beside(demo.name(), direction, director));
     }
 
     @Override
@@ -148,7 +172,7 @@ final class DemoScene implements Scene {
         if (bench.camera().isPinched()) {
             whole.draw(canvas, HEIGHT);
         }
-        plates.draw(canvas, isPaused, buttons());
+        plates.draw(canvas, isPaused, buttons(), HandButtons.ofAddress(director));
         if (!canvas.layout().isInHand()) {
             drawNotes(canvas);
         }

@@ -38,19 +38,18 @@ public final class Demos {
                         new FloodDemo(words),
                         new PendulumDemo(words),
                         new CarDemo(words))) {
-            effects.put(demo.title(), demo.effects());
+            effects.put(words.of("scene." + demo.name()), demo.effects());
         }
         return effects;
     }
 
     /**
-     * Returns the demo before (−1) or after (1) the one whose window has a title; after the last
-     * comes the first.
+     * Returns the demo before (−1) or after (1) one by its name; after the last comes the first.
      */
-    static Scene beside(String title, int direction, Director director) {
+    static Scene beside(String name, int direction, Director director) {
         List<SceneEntry> all = entries();
         int at = 0;
-        while (!title.equals(DemoScene.TITLE + all.get(at).title().apply(director.words()))) {
+        while (!name.equals(all.get(at).name())) {
             at++;
         }
         int next = Math.floorMod(at + direction, all.size());

@@ -91,8 +91,8 @@ final class FloodDemo implements Demo {
     }
 
     @Override
-    public String title() {
-        return words.of("scene.flood");
+    public String name() {
+        return "flood";
     }
 
     /** Declares rotation only if something would turn; discs without friction do not. */
@@ -168,18 +168,16 @@ final class FloodDemo implements Demo {
                         v -> elasticity = v),
                 new Slider(
                         words, "flood.size", "%.2f m", 0.1, 0.4, 0.02, () -> size, v -> size = v),
+                new Toggle(words, "flood.boxes", () -> isBoxes, () -> switchTo(isBoxes = !isBoxes)),
                 new Toggle(
-                        words.of("flood.boxes"), () -> isBoxes, () -> switchTo(isBoxes = !isBoxes)),
-                new Toggle(
-                        words.of("flood.friction"),
+                        words,
+                        "flood.friction",
                         () -> hasFriction,
                         () -> switchTo(hasFriction = !hasFriction)),
                 new Toggle(
-                        words.of("flood.sleep"),
-                        () -> hasSleep,
-                        () -> switchTo(hasSleep = !hasSleep)),
-                new Toggle(words.of("flood.hose"), () -> isHosing, () -> isHosing = !isHosing),
-                new Toggle(words.of("flood.drain"), () -> hatch == null, this::drain),
+                        words, "flood.sleep", () -> hasSleep, () -> switchTo(hasSleep = !hasSleep)),
+                new Toggle(words, "flood.hose", () -> isHosing, () -> isHosing = !isHosing),
+                new Toggle(words, "flood.drain", () -> hatch == null, this::drain),
                 crews.choice(),
                 new Button(words.of("flood.search"), this::search),
                 new Readout(words.of("flood.bodies"), () -> "" + drops.size()),

@@ -2,6 +2,7 @@ package rigibo.frontend.demo;
 
 import rigibo.backend.StepReport;
 import rigibo.backend.setup.StepStage;
+import rigibo.frontend.scene.accuracy.StageProfile;
 
 import java.util.Arrays;
 
@@ -10,8 +11,7 @@ import java.util.Arrays;
  */
 final class FrameTimes {
 
-    /** Longest time of a step and its drawing together. */
-    static final double BUDGET_MILLIS = 1000.0 / 60;
+    static final double BUDGET_MILLIS = StageProfile.BUDGET_MILLIS;
 
     private static final int WINDOW = 120;
 

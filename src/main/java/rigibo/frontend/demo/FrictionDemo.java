@@ -59,8 +59,8 @@ final class FrictionDemo implements Demo {
     }
 
     @Override
-    public String title() {
-        return words.of("scene.friction");
+    public String name() {
+        return "friction";
     }
 
     @Override
@@ -91,6 +91,11 @@ final class FrictionDemo implements Demo {
     @Override
     public void build(Workbench on) {
         bench = on;
+        launch();
+    }
+
+    @Override
+    public void followed() {
         launch();
     }
 

@@ -73,8 +73,8 @@ final class PendulumDemo implements Demo {
     }
 
     @Override
-    public String title() {
-        return words.of("scene.pendulum");
+    public String name() {
+        return "pendulum";
     }
 
     @Override
@@ -119,7 +119,8 @@ final class PendulumDemo implements Demo {
     public List<Widget> widgets() {
         return List.of(
                 new Choice(
-                        words.of("pendulum.what"),
+                        words,
+                        "pendulum.what",
                         Arrays.stream(Hang.Kind.values()).map(any -> words.of(any.key)).toList(),
                         () -> kind.ordinal(),
                         this::choose),

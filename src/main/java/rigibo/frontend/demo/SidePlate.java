@@ -3,6 +3,7 @@ package rigibo.frontend.demo;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.accuracy.EnergyPlate;
+import rigibo.frontend.scene.accuracy.StageProfile;
 import rigibo.frontend.scene.ghost.GhostPlate;
 
 /** The plate with the frame's time, the energy or the ghost. */

@@ -72,8 +72,8 @@ final class WheelDemo implements Demo {
     }
 
     @Override
-    public String title() {
-        return words.of("scene.wheel");
+    public String name() {
+        return "wheel";
     }
 
     @Override
@@ -171,8 +171,8 @@ final class WheelDemo implements Demo {
                         10,
                         () -> thrust,
                         v -> thrust = v),
-                new Toggle(words.of("wheel.brake"), () -> isBraking, () -> isBraking = !isBraking),
-                new Toggle(words.of("wheel.hoop"), () -> isHoop, this::flip),
+                new Toggle(words, "wheel.brake", () -> isBraking, () -> isBraking = !isBraking),
+                new Toggle(words, "wheel.hoop", () -> isHoop, this::flip),
                 new Button(words.of("wheel.again"), this::lay),
                 new Readout(words.of("wheel.speed"), () -> metres(speed())),
                 new Readout(words.of("wheel.rim"), () -> metres(rim())),

@@ -20,7 +20,7 @@ public final class Editor {
     /** Menu entry of the editor, which opens it with a new level. */
     public static SceneEntry entry() {
         return SceneEntry.of(
-                "editor",
+                EditorScene.NAME,
                 director ->
                         new EditorScene(
                                 director, new DraftFile(NewLevel.draft(), Optional.empty())));

@@ -14,6 +14,7 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Pinch;
@@ -28,6 +29,8 @@ import java.util.Set;
 
 /** The editor: the draft with its panes, or the draft while it is played. */
 final class EditorScene implements Scene {
+
+    static final String NAME = "editor";
 
     private static final double ZOOM = 1.15;
 
@@ -71,6 +74,11 @@ final class EditorScene implements Scene {
     @Override
     public String title() {
         return "RigiBo – " + shop.words().of("editor.window");
+    }
+
+    @Override
+    public Link link() {
+        return Link.to(NAME);
     }
 
     /** That of the draft, since it is the level's. */

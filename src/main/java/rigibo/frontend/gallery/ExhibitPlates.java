@@ -1,6 +1,7 @@
 package rigibo.frontend.gallery;
 
 import rigibo.backend.Pool;
+import rigibo.backend.StepReport;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Enlarged;
@@ -15,6 +16,8 @@ import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -42,7 +45,13 @@ final class ExhibitPlates {
     /** Between two plates, px. */
     private static final double GAP = 6;
 
-    private static final String BETWEEN_KEYS = "   ";
+    /** Height of a tab on a desk, and width of a plate at the side, px. */
+    private static final double TAB = 26;
+
+    private static final double SIDE = 240;
+
+    /** Wider than this a curve at the side tells no more, px. */
+    private static final double WIDEST_SIDE = 330;
 
     private final Found found;
     private final Words words;
@@ -52,36 +61,73 @@ final class ExhibitPlates {
     /** Whether all is said of it in a hand. */
     private boolean isOpen;
 
-    private boolean isInHand;
+    private final Sides sides;
+
+    /** What all of it is drawn on in a hand. */
+    private Optional<Enlarged> inHand = Optional.empty();
+
+    /** Notches of the wheel that have turned no page yet. */
+    private double scrolled;
 
     ExhibitPlates(Found found, Words words) {
         this.found = found;
         this.words = words;
         titles = new ExhibitWords(words);
+        sides = new Sides(found, words);
     }
 
     String title() {
         return titles.title(found);
     }
 
+    boolean isOpen(Side side) {
+        return sides.isOpen(side);
+    }
+
+    /**
+     * Opens or folds what stands at the side; in a hand it lies where all is said of the exhibit.
+     */
+    void toggle(Side side) {
+        isOpen = false;
+        sides.toggle(side);
+    }
+
+    /** A step was made. */
+    void stepped(StepReport report) {
+        sides.step(report);
+    }
+
+    /** A frame took so long to draw, ns. */
+    void drawn(long nanos) {
+        sides.drawn(nanos);
+    }
+
+    /** What is not drawn cannot be pressed. */
+    void hide() {
+        buttons.clear();
+        sides.hide();
+    }
+
     void draw(
             Canvas canvas,
-            Pool pool,
+            Showing showing,
             String figure,
             boolean isPaused,
-            List<HandButtons.Item> items) {
-        buttons.clear();
-        isInHand = canvas.layout().isInHand();
-        if (isInHand) {
-            drawInHand(
-                    new Enlarged(canvas),
-                    pool,
-                    isPaused ? words.of("gallery.paused") : figure,
-                    items);
-        } else if (canvas.layout().columns() > 0) {
-            drawColumn(canvas, pool, isPaused ? words.of("gallery.paused") : figure);
+            List<HandButtons.Item> items,
+            List<HandButtons.Item> more) {
+        Layout layout = canvas.layout();
+        String state = isPaused ? words.of("gallery.paused") : figure;
+        sides.fit(layout.hasSource());
+        inHand = Optional.empty();
+        if (layout.isInHand()) {
+            inHand = Optional.of(new Enlarged(canvas));
+            drawInHand(inHand.get(), showing, state, items, more);
+        } else if (layout.hasSource()) {
+            drawBeside(canvas, showing, state);
+        } else if (layout.columns() > 0) {
+            drawColumn(canvas, showing, state);
         } else {
-            drawOver(canvas, pool, figure, isPaused);
+            drawOver(canvas, showing, figure, isPaused);
         }
     }
 
@@ -89,7 +135,7 @@ final class ExhibitPlates {
     void describe(Narrator narrator, boolean isPaused) {
         buttons.describe(narrator);
         narrator.says(titles.about(found));
-        if (!isInHand) {
+        if (inHand.isEmpty()) {
             narrator.says(words.of("gallery.keys"));
         }
         if (isPaused) {
@@ -97,32 +143,108 @@ final class ExhibitPlates {
         }
     }
 
-    private void drawColumn(Canvas canvas, Pool pool, String state) {
+    /** The plates in a column, and what is open at the side below them. */
+    private void drawBeside(Canvas canvas, Showing showing, String state) {
         Layout layout = canvas.layout();
-        ColumnPlate head = new ColumnPlate(canvas, layout.leftColumn(), layout.columnWidth());
+        double x = layout.sourceLeft();
+        double width = layout.sourceWidth();
+        double top = drawColumn(canvas, showing.pool(), state, x, width);
+        double most = sides.isOpen(Side.SOURCE) ? width : Math.min(width, WIDEST_SIDE);
+        Plate room = new Plate(x, top, most, Scene.HEIGHT - LEFT - top);
+        sides.draw(canvas, room, showing.ghost());
+    }
+
+    /** The plates in a column, and over the scene what is open at the side. */
+    private void drawColumn(Canvas canvas, Showing showing, String state) {
+        Layout layout = canvas.layout();
+        double x = layout.leftColumn();
+        drawColumn(canvas, showing.pool(), state, x, layout.columnWidth());
+        drawSides(canvas, showing, LEFT, Scene.HEIGHT - LEFT);
+    }
+
+    /** Draws what is open at the side over the scene, between two heights, px. */
+    private void drawSides(Canvas canvas, Showing showing, double top, double bottom) {
+        double width = sides.isOpen(Side.SOURCE) ? WIDTH : SIDE * canvas.layout().type();
+        double x = Scene.WIDTH - LEFT - width;
+        sides.draw(canvas, new Plate(x, top, width, bottom - top), showing.ghost());
+    }
+
+    /** Draws head, keys and tabs in a column; returns where it ends, px. */
+    private double drawColumn(Canvas canvas, Pool pool, String state, double x, double width) {
+        ColumnPlate head = new ColumnPlate(canvas, x, width);
         head.add(title(), 24, Canvas.Font.WORDS, Color.BRASS);
         head.add(titles.about(found), SIZE, Canvas.Font.WORDS, Color.TEXT);
         head.add(effects(pool), SIZE, Canvas.Font.WORDS, Color.TEXT_DIM);
         head.add(state, 20, Canvas.Font.WORDS, Color.BRASS);
-        ColumnPlate foot = new ColumnPlate(canvas, layout.leftColumn(), layout.columnWidth());
+        ColumnPlate foot = new ColumnPlate(canvas, x, width);
         foot.add(found.source(), SIZE, Canvas.Font.NUMBERS, Color.TEXT);
-        foot.add(accuracy(pool), SIZE, Canvas.Font.WORDS, Color.BRASS);
-        for (String key : words.of("gallery.keys").split(BETWEEN_KEYS)) {
-            foot.add(key, SIZE, Canvas.Font.WORDS, Color.TEXT_DIM);
+        double inner = width - (WIDTH - INNER);
+        for (String keys : Lines.ofGroups(canvas, words.of("gallery.keys"), SIZE, inner)) {
+            foot.add(keys, SIZE, Canvas.Font.WORDS, Color.TEXT_DIM);
         }
-        foot.draw(head.draw(LEFT) + GAP);
+        double dial = foot.draw(head.draw(LEFT) + GAP) + GAP;
+        double tabs = drawRow(canvas, presets(pool), new Plate(x, dial, width, TAB));
+        return drawRow(canvas, tabs(), new Plate(x, tabs, width, TAB));
+    }
+
+    /** Draws buttons side by side in a row, px; returns where what is below it begins. */
+    private double drawRow(Canvas canvas, List<HandButtons.Item> items, Plate row) {
+        Enlarged sheet = new Enlarged(canvas);
+        double type = canvas.layout().type();
+        double each = (row.width() - (items.size() - 1) * GAP) / items.size();
+        List<Plate> places = new ArrayList<>();
+        for (int i = 0; i < items.size(); i++) {
+            double x = sheet.x(row.x() + i * (each + GAP));
+            places.add(new Plate(x, sheet.y(row.y()), each / type, row.height() / type));
+        }
+        buttons.draw(sheet, places, items);
+        return row.bottom() + GAP;
+    }
+
+    private static List<HandButtons.Item> presets(Pool pool) {
+        Optional<Preset> present = Preset.of(pool.accuracy());
+        return Arrays.stream(Preset.values())
+                .map(
+                        any ->
+                                new HandButtons.Item(
+                                        any.name(),
+                                        present.filter(any::equals).isPresent(),
+                                        () -> pool.accuracy(any.accuracy())))
+                .toList();
+    }
+
+    private List<HandButtons.Item> tabs() {
+        return Arrays.stream(Side.values())
+                .filter(sides::has)
+                .map(
+                        side ->
+                                new HandButtons.Item(
+                                        words.of(side.key()),
+                                        sides.isOpen(side),
+                                        () -> toggle(side)))
+                .toList();
     }
 
     /** What is said of it is folded to its title and figure until it is asked for. */
     private void drawInHand(
-            Enlarged canvas, Pool pool, String state, List<HandButtons.Item> items) {
-        List<HandButtons.Item> tabs =
-                List.of(
-                        new HandButtons.Item(words.of("gallery.about"), isOpen, this::toggle),
-                        new HandButtons.Item(accuracy(pool), () -> turn(pool)));
+            Enlarged canvas,
+            Showing showing,
+            String state,
+            List<HandButtons.Item> items,
+            List<HandButtons.Item> more) {
+        Pool pool = showing.pool();
+        List<HandButtons.Item> tabs = new ArrayList<>();
+        tabs.add(new HandButtons.Item(words.of("gallery.about"), isOpen, this::toggle));
+        tabs.add(new HandButtons.Item(accuracy(pool), () -> turn(pool)));
+        tabs.addAll(tabs());
+        tabs.addAll(more);
         HandFrame frame = HandFrame.of(canvas.layout(), items.size(), tabs.size());
         buttons.draw(canvas, frame.buttons(), items);
         buttons.draw(canvas, frame.tabs(), tabs);
+        if (sides.isAnyOpen()) {
+            sides.draw(canvas, frame.room(), showing.ghost());
+            return;
+        }
         Plate at = isOpen ? frame.room() : frame.free();
         ColumnPlate plate = new ColumnPlate(canvas, at.x(), at.width());
         plate.add(title(), 20, Canvas.Font.WORDS, Color.BRASS);
@@ -137,6 +259,7 @@ final class ExhibitPlates {
 
     private void toggle() {
         isOpen = !isOpen;
+        sides.fold();
     }
 
     private static void turn(Pool pool) {
@@ -149,21 +272,46 @@ final class ExhibitPlates {
         return buttons.at(x, y);
     }
 
+    /** Whether a point, px, is on something that can be pressed. */
+    boolean contain(double x, double y) {
+        double sideX = inHand.map(sheet -> sheet.x(x)).orElse(x);
+        double sideY = inHand.map(sheet -> sheet.y(y)).orElse(y);
+        return button(x, y).isPresent() || sides.contains(sideX, sideY);
+    }
+
+    /** Goes so many pages of the source on. */
+    void turn(int pages) {
+        sides.turn(pages);
+    }
+
+    /** The wheel turned over the source: a page for each notch. */
+    void scroll(double notches) {
+        scrolled += notches;
+        int whole = (int) scrolled;
+        scrolled -= whole;
+        turn(-whole);
+    }
+
     private static String accuracy(Pool pool) {
         return Preset.of(pool.accuracy()).map(Preset::name).orElse("");
     }
 
-    private void drawOver(Canvas canvas, Pool pool, String figure, boolean isPaused) {
+    private void drawOver(Canvas canvas, Showing showing, String figure, boolean isPaused) {
+        Pool pool = showing.pool();
         canvas.panel(LEFT, LEFT, WIDTH, HEAD, 12, Color.PANEL);
         Print.left(canvas, title(), INDENT, LEFT + 22, 24, Color.BRASS);
         String count = isPaused ? words.of("gallery.paused") : figure;
         Print.right(canvas, count, RIGHT, LEFT + 22, 20, isPaused ? Color.BRASS : Color.TEXT);
         left(canvas, titles.about(found), LEFT + 48, Color.TEXT);
         left(canvas, effects(pool), LEFT + 72, Color.TEXT_DIM);
-        drawFoot(canvas, pool);
+        double foot = drawFoot(canvas, pool);
+        double width = SIDE * canvas.layout().type();
+        Plate row = new Plate(RIGHT + 14 - width, LEFT + HEAD + GAP, width, TAB);
+        drawSides(canvas, showing, drawRow(canvas, tabs(), row), foot - GAP);
     }
 
-    private void drawFoot(Canvas canvas, Pool pool) {
+    /** Returns its upper edge, px. */
+    private double drawFoot(Canvas canvas, Pool pool) {
         List<String> keys = Lines.ofGroups(canvas, words.of("gallery.keys"), SIZE, INNER);
         double top = Scene.HEIGHT - LEFT - FOOT - (keys.size() - 1) * LINE;
         canvas.panel(LEFT, top, WIDTH, Scene.HEIGHT - LEFT - top, 12, Color.PANEL);
@@ -180,6 +328,7 @@ final class ExhibitPlates {
         for (int i = 0; i < keys.size(); i++) {
             left(canvas, keys.get(i), top + 44 + i * LINE, Color.TEXT_DIM);
         }
+        return top;
     }
 
     private static void left(Canvas canvas, String text, double y, Color color) {

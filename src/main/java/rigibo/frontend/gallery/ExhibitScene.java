@@ -1,6 +1,7 @@
 package rigibo.frontend.gallery;
 
 import rigibo.backend.RigidBody;
+import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
@@ -8,12 +9,14 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Impacts;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Pinch;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.accuracy.AccuracyLink;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.joint.JointPicture;
 import rigibo.frontend.scene.widget.HandButtons;
@@ -35,6 +38,10 @@ final class ExhibitScene implements Scene {
     private Showing showing;
     private Camera camera;
     private Impacts impacts;
+
+    /** The accuracy that its ghost was made for. */
+    private Accuracy hauntedAt = Accuracy.GAME;
+
     private boolean isPaused;
 
     /** Whether its plates are hidden. */
@@ -54,7 +61,13 @@ final class ExhibitScene implements Scene {
 
     private void restart() {
         grip.letGo();
+        Accuracy accuracy = showing == null ? Accuracy.GAME : showing.pool().accuracy();
         showing = new Showing(found.make().get());
+        showing.pool().accuracy(accuracy);
+        if (plates.isOpen(Side.GHOST)) {
+            showing.haunt(found.make().get());
+            hauntedAt = accuracy;
+        }
         View view = showing.exhibit().view();
         camera = new Camera(view.x(), view.y(), HEIGHT / view.height());
         impacts = new Impacts();
@@ -66,7 +79,28 @@ final class ExhibitScene implements Scene {
     }
 
     @Override
+    public Link link() {
+        Link link = AccuracyLink.in(Link.to(found.name()), showing.pool());
+        return plates.isOpen(Side.GHOST) ? link.withGhost() : link;
+    }
+
+    @Override
+    public boolean follow(Link link) {
+        int taken = AccuracyLink.follow(link, showing.pool());
+        if (link.hasGhost()) {
+            plates.toggle(Side.GHOST);
+            taken++;
+        }
+        return taken == link.choices().size();
+    }
+
+    @Override
     public boolean hasColumns() {
+        return true;
+    }
+
+    @Override
+    public boolean hasSource() {
         return true;
     }
 
@@ -93,14 +127,24 @@ final class ExhibitScene implements Scene {
 
     @Override
     public Tap tap(double x, double y) {
-        boolean isOnButton = whole.contains(x, y) || plates.button(x, y).isPresent();
+        boolean isOnButton = whole.contains(x, y) || plates.contain(x, y);
         return isOnButton
                 ? Tap.LIFTED
                 : Grip.tap(showing.pool(), camera.worldX(x), camera.worldY(y));
     }
 
+    /** With a ghost it begins anew: no copy of it could be made at work. */
+    private void haunt() {
+        boolean isHaunted = showing.ghost().isPresent();
+        boolean isStale = isHaunted && !showing.pool().accuracy().equals(hauntedAt);
+        if (isStale || isHaunted != plates.isOpen(Side.GHOST)) {
+            restart();
+        }
+    }
+
     @Override
     public void step() {
+        haunt();
         if (!isPaused) {
             advance();
         }
@@ -109,6 +153,7 @@ final class ExhibitScene implements Scene {
     private void advance() {
         grip.pull();
         showing.step();
+        plates.stepped(showing.pool().report());
         if (director.sounds().isHeard()) {
             impacts.tell(showing.pool(), Looks::of, director.sounds());
         }
@@ -130,15 +175,28 @@ final class ExhibitScene implements Scene {
             }
         }
         JointPicture.draw(canvas, camera, showing.pool().joints());
+        showing.ghost().ifPresent(ghost -> ghost.draw(canvas));
         CanvasSketch sketch = new CanvasSketch(canvas, camera, 1);
         showing.exhibit().sketch(showing.pool(), sketch);
         whole.hide();
         if (camera.isPinched()) {
             whole.draw(canvas, HEIGHT);
         }
+        plates.hide();
         if (!isBare || canvas.layout().isInHand()) {
-            plates.draw(canvas, showing.pool(), sketch.figure(), isPaused, buttons());
+            plates.draw(
+                    canvas,
+                    showing,
+                    sketch.figure(),
+                    isPaused,
+                    buttons(),
+                    HandButtons.ofAddress(director));
         }
+    }
+
+    @Override
+    public void drawn(long nanos) {
+        plates.drawn(nanos);
     }
 
     @Override
@@ -170,11 +228,13 @@ final class ExhibitScene implements Scene {
             pressed.get().action().run();
         } else if (button == PointerButton.LEFT && whole.contains(x, y)) {
             camera.home();
+        } else if (button == PointerButton.LEFT && plates.contain(x, y)) {
+            plates.turn(1);
         } else if (button == PointerButton.LEFT) {
             grip.grab(showing, grip.pointerX(), grip.pointerY());
-        } else if (button == PointerButton.RIGHT) {
+        } else if (button == PointerButton.RIGHT && !plates.contain(x, y)) {
             isPanning = true;
-            showing.exhibit().act(showing.pool(), grip.pointerX(), grip.pointerY());
+            showing.act(grip.pointerX(), grip.pointerY());
         }
     }
 
@@ -191,7 +251,11 @@ final class ExhibitScene implements Scene {
 
     @Override
     public void scrolled(double notches, double x, double y) {
-        camera.zoom(Math.pow(ZOOM, notches), x, y);
+        if (plates.contain(x, y)) {
+            plates.scroll(notches);
+        } else {
+            camera.zoom(Math.pow(ZOOM, notches), x, y);
+        }
     }
 
     @Override
@@ -206,6 +270,9 @@ final class ExhibitScene implements Scene {
             case PERIOD -> advance();
             case R -> restart();
             case HOME -> camera.home();
+            case G -> plates.toggle(Side.GHOST);
+            case F -> plates.toggle(Side.FRAME);
+            case S -> plates.toggle(Side.SOURCE);
             case T -> isBare = !isBare;
             case LEFT_BRACKET -> show(-1);
             case RIGHT_BRACKET -> show(1);

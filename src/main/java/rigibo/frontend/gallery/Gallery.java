@@ -12,7 +12,8 @@ public final class Gallery {
 
     /** Menu entry of the gallery. */
     public static SceneEntry entry() {
-        return SceneEntry.of("gallery", director -> new GalleryScene(director, Optional.empty()));
+        return SceneEntry.of(
+                GalleryScene.NAME, director -> new GalleryScene(director, Optional.empty()));
     }
 
     /** One entry per exhibit, for the command line. */

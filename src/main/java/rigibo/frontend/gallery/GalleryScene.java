@@ -4,6 +4,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
@@ -20,6 +21,8 @@ import java.util.Optional;
 
 /** Every exhibit as a card with its picture, section by section; only the selected one moves. */
 final class GalleryScene implements TiledScene {
+
+    static final String NAME = "gallery";
 
     private static final double STRIP = 30;
     private static final double MARGIN = 5;
@@ -151,6 +154,11 @@ final class GalleryScene implements TiledScene {
     @Override
     public String title() {
         return "RigiBo – " + words.of("scene.gallery");
+    }
+
+    @Override
+    public Link link() {
+        return Link.to(NAME);
     }
 
     @Override

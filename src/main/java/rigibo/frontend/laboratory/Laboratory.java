@@ -9,6 +9,6 @@ public final class Laboratory {
 
     /** How the menu lists it. */
     public static SceneEntry entry() {
-        return SceneEntry.of("laboratory", LaboratoryScene::new);
+        return SceneEntry.of(LaboratoryScene.NAME, LaboratoryScene::new);
     }
 }

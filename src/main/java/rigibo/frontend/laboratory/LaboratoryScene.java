@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
@@ -29,6 +30,8 @@ import java.util.stream.Stream;
 final class LaboratoryScene implements Scene {
 
     /** A line of what is said of both halves in a hand, px. */
+    static final String NAME = "laboratory";
+
     private static final double LINE = 21;
 
     /** What the buttons below open or do, after one for each quantity. */
@@ -91,6 +94,11 @@ final class LaboratoryScene implements Scene {
         plate = new GraphPlate(words);
         expert = new ExpertPlate(words, LaboratoryPlaces.ON_A_DESK.graph(), left, right);
         open(0);
+    }
+
+    @Override
+    public Link link() {
+        return Link.to(NAME);
     }
 
     private String command(String name) {

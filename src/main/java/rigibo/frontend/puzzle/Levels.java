@@ -72,6 +72,11 @@ public final class Levels {
         return OfTheGame.LEVELS.stream().map(Placed::level).toList();
     }
 
+    /** Whether a level is one of the game's own. */
+    static boolean isOfTheGame(Level level) {
+        return OfTheGame.LEVELS.stream().anyMatch(placed -> placed.level() == level);
+    }
+
     /** A level and the number of its world, from 1. */
     private record Placed(Level level, int world) {}
 

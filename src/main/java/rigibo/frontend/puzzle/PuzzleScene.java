@@ -20,6 +20,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Modifier;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Pinch;
@@ -108,6 +109,11 @@ public final class PuzzleScene implements Scene {
     @Override
     public String title() {
         return "RigiBo – " + level.title().in(director.words().locale());
+    }
+
+    @Override
+    public Link link() {
+        return Levels.isOfTheGame(level) ? Link.to(level.id()) : Link.MENU;
     }
 
     @Override

@@ -82,6 +82,14 @@ public interface Director {
     /** Puts a text on the clipboard, and says so. */
     default void copy(String text) {}
 
+    /** Whether what is shown has an address, which can be given to others. */
+    default boolean hasAddress() {
+        return false;
+    }
+
+    /** Gives the address of what is shown to somebody: by what the system has for it. */
+    default void share() {}
+
     /** Opens what is on the clipboard, if it is the code of a level or replay. */
     default void paste() {}
 

@@ -120,6 +120,32 @@ public record Layout(
         return isForOne ? new Layout(-beside, top, width, height, ratio, type, touch) : this;
     }
 
+    /**
+     * Returns a layout with all the room at one side of the scene, where a text fits into it; with
+     * room for plates where none does.
+     */
+    public Layout withSource() {
+        double beside = width - Scene.WIDTH;
+        return !isInHand() && beside >= 2 * margin()
+                ? new Layout(-beside, top, width, height, ratio, type, touch)
+                : withColumns();
+    }
+
+    /** Whether there is room for a text at the left of the scene. */
+    public boolean hasSource() {
+        return !isInHand() && -left >= 2 * margin();
+    }
+
+    /** Width of a text at the left of the scene, px; it begins at a gap from the window's edge. */
+    public double sourceWidth() {
+        return -left - 2 * GAP;
+    }
+
+    /** Left edge of a text at the left of the scene, px. */
+    public double sourceLeft() {
+        return left + GAP;
+    }
+
     /** Least width beside the scene for a column, px. */
     private double margin() {
         return COLUMN * type + 2 * GAP;

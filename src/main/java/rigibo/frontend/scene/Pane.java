@@ -27,6 +27,9 @@ public record Pane(int width, int height, double contentScale, Edges hidden, boo
         if (lettered.isInHand() && scene.isSheet()) {
             return lettered.sheet();
         }
+        if (scene.hasSource()) {
+            return lettered.withSource();
+        }
         return scene.hasColumns() ? lettered.withColumns() : lettered;
     }
 

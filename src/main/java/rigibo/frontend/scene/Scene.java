@@ -20,6 +20,18 @@ public interface Scene {
     /** The window's title. */
     String title();
 
+    /** What an address says of it; the menu where no address leads here. */
+    default Link link() {
+        return Link.MENU;
+    }
+
+    /**
+     * Chooses what a link says, once, before anything else; returns whether it could choose all.
+     */
+    default boolean follow(Link link) {
+        return link.choices().isEmpty();
+    }
+
     /** What is behind it. */
     default Scenery scenery() {
         return Scenery.WORKSHOP;
@@ -27,6 +39,11 @@ public interface Scene {
 
     /** Whether it has plates that stand beside it where the window has room for them. */
     default boolean hasColumns() {
+        return false;
+    }
+
+    /** Whether it has a text beside it, which is to have all the room that there is. */
+    default boolean hasSource() {
         return false;
     }
 

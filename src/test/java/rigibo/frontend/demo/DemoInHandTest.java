@@ -51,6 +51,22 @@ class DemoInHandTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("demos")
+    void whatHasAnAddressIsSharedByAButton(SceneEntry demo, String language) {
+        RecordingDirector director = new RecordingDirector(language);
+        director.hasAddress = true;
+        for (Layout layout : Legibility.HANDS) {
+            director.asked.clear();
+            Scene scene = demo.open().apply(director);
+            assertThat(Legibility.faults(scene, layout)).isEmpty();
+            assertThat(Legibility.tooSmallForFingers(scene, layout)).isEmpty();
+            touch(scene, layout, director.words().of("hand.link"));
+            assertThat(director.asked).containsExactly("share");
+            scene.closed();
+        }
+    }
+
     private static void touch(Scene scene, Layout layout, String words) {
         double[] at = RecordingCanvas.of(scene, layout).firstMiddleOf(words);
         scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);

@@ -59,7 +59,7 @@ class NeutralInDemosTest {
         for (Effect effect : NEUTRAL) {
             if (isForeign(effect, called) && !isStated(effect, demo.apply(new Words("en")))) {
                 assertThat(run(demo.apply(new Words("en")), called.with(effect)).stateHash())
-                        .as("%s in %s", effect.title(), demo.apply(new Words("en")).title())
+                        .as("%s in %s", effect.title(), demo.apply(new Words("en")).name())
                         .isEqualTo(plain);
             }
         }

@@ -171,6 +171,7 @@ class GalleryTest {
     void anExhibitIsUsedByButtonsInAHand() {
         for (Layout layout : Legibility.HANDS) {
             RecordingDirector director = new RecordingDirector();
+            director.hasAddress = true;
             Scene scene = new ExhibitScene(director, exhibits().get(0));
             assertThat(Legibility.tooSmallForFingers(scene, layout)).isEmpty();
             touch(scene, layout, "Pause");
@@ -179,6 +180,8 @@ class GalleryTest {
             assertThat(Legibility.faults(scene, layout)).isEmpty();
             touch(scene, layout, "GAME");
             assertThat(RecordingCanvas.of(scene, layout).texts()).contains("FINE");
+            touch(scene, layout, "link");
+            assertThat(director.asked).containsExactly("share");
             touch(scene, layout, "Gallery");
             assertThat(director.shown).hasSize(1);
         }
@@ -308,7 +311,9 @@ class GalleryTest {
         assertThat(new ExhibitWords(new Words("de")).title(strange)).isEqualTo("OneBall");
         Scene scene = new ExhibitScene(director, strange);
         scene.step();
+        scene.keyPressed(Key.S);
         assertThat(Legibility.faults(scene)).isEmpty();
+        assertThat(RecordingCanvas.of(scene).texts()).doesNotContain("source", "1 / 1");
     }
 
     /** A ball that falls. */

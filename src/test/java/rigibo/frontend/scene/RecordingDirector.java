@@ -42,6 +42,9 @@ public final class RecordingDirector implements Director {
 
     public final Map<String, String> handed = new HashMap<>();
 
+    /** Whether what is shown has an address. */
+    public boolean hasAddress;
+
     private final Player player;
 
     /** For a player who speaks English. */
@@ -102,6 +105,16 @@ public final class RecordingDirector implements Director {
     @Override
     public void handOver(String name, String text) {
         handed.put(name, text);
+    }
+
+    @Override
+    public boolean hasAddress() {
+        return hasAddress;
+    }
+
+    @Override
+    public void share() {
+        asked.add("share");
     }
 
     @Override

@@ -43,10 +43,12 @@ public final class PageDisplay implements Director {
     private final Speaker speaker = new Speaker();
     private final PageSurface surface = new PageSurface();
     private final PageInput input = new PageInput(surface, this);
+    private final Address address = new Address();
     private final Mirror mirror = new Mirror(surface.canvas(), input);
     private BiFunction<Director, String, Optional<Scene>> decoder =
             (director, text) -> Optional.empty();
     private BiFunction<Director, List<Path>, Scene> opener;
+    private Function<String, Optional<Function<Director, Scene>>> linker = text -> Optional.empty();
     private Words words;
     private Scene scene;
     private Scene wanted;
@@ -75,10 +77,26 @@ public final class PageDisplay implements Director {
         opener = opening;
     }
 
-    /** Opens a scene, the menu if none is given, and goes on as long as the page is there. */
-    public void run(Optional<Function<Director, Scene>> first) {
-        open(first.orElse(menu).apply(this));
+    /** Sets the function that makes a scene of the text of a link; none where it leads nowhere. */
+    public void opensLinksBy(Function<String, Optional<Function<Director, Scene>>> linking) {
+        linker = linking;
+    }
+
+    /** Opens the scene of the page's address, and goes on as long as the page is there. */
+    public void run() {
+        open(linked());
+        address.onEntered(() -> show(linked()));
         Window.requestAnimationFrame(this::picture);
+    }
+
+    /** The scene to which the page's address leads; the menu where it leads to none. */
+    private Scene linked() {
+        String text = address.text();
+        Optional<Function<Director, Scene>> found = linker.apply(text);
+        if (found.isEmpty() && !text.isEmpty()) {
+            say(words.of("link.nowhere"));
+        }
+        return found.orElse(menu).apply(this);
     }
 
     private void picture(double millis) {
@@ -107,6 +125,7 @@ public final class PageDisplay implements Director {
         scene.paced(clock.pace());
         if (wanted == null) {
             mirror.drawn(scene, surface.layout(), beside());
+            address.turn(scene.link());
         }
     }
 
@@ -136,6 +155,7 @@ public final class PageDisplay implements Director {
         title(scene.title());
         language(settings().language());
         mirror.begins(scene.title());
+        address.show(scene.link());
     }
 
     /** Whether another scene was chosen already, so that nobody means this one any more. */
@@ -229,6 +249,20 @@ public final class PageDisplay implements Director {
     public void copy(String text) {
         copyToClipboard(text);
         say(words.of("toast.copied", text.length()));
+    }
+
+    @Override
+    public boolean hasAddress() {
+        return true;
+    }
+
+    /** By the system's own sheet where there is one, and by the clipboard elsewhere. */
+    @Override
+    public void share() {
+        address.show(scene.link());
+        if (!address.offer(scene.title())) {
+            say(words.of("toast.link"));
+        }
     }
 
     /** Files of the page are in the browser's storage. */

@@ -1,5 +1,7 @@
 package rigibo.web.build;
 
+import rigibo.frontend.gallery.Exhibits;
+import rigibo.frontend.gallery.Found;
 import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LoadedLevel;
@@ -39,11 +41,20 @@ final class GameFiles {
         add("assets/shaders", home.resolve("assets/shaders"), ".glsl");
         add("words", home.resolve("build/resources/main/rigibo"), ".properties");
         add("words", home.resolve("build/resources/examples/rigibo"), ".properties");
+        addSources();
         Files.writeString(folder.resolve("files.txt"), all);
         font("Quicksand-Bold.ttf", folder.resolve("words.ttf"));
         font("JetBrainsMono-Medium.ttf", folder.resolve("numbers.ttf"));
         font("Quicksand-LICENCE.txt", folder.resolve("words-licence.txt"));
         font("JetBrainsMono-LICENCE.txt", folder.resolve("numbers-licence.txt"));
+    }
+
+    /** The sources of exhibits, under their names in the checkout. */
+    private void addSources() throws IOException {
+        for (Found found : Exhibits.all()) {
+            String text = Files.readString(home.resolve(found.source()));
+            all.append(found.source()).append(' ').append(text.length()).append('\n').append(text);
+        }
     }
 
     /** The page has no schema to hold them against. */

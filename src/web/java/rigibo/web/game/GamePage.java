@@ -1,7 +1,6 @@
 package rigibo.web.game;
 
 import org.teavm.jso.JSBody;
-import org.teavm.jso.browser.Window;
 
 import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.PageDisplay;
@@ -9,9 +8,6 @@ import rigibo.frontend.editor.Proving;
 import rigibo.frontend.puzzle.endless.Making;
 import rigibo.frontend.save.Places;
 import rigibo.frontend.save.SavedPlayer;
-import rigibo.frontend.scene.Director;
-import rigibo.frontend.scene.Scene;
-import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Settings;
 
 import java.io.IOException;
@@ -19,8 +15,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
-import java.util.function.Function;
 
 /** Starts the game in a page, or, given words, an errand beside it. */
 public final class GamePage {
@@ -45,7 +39,8 @@ public final class GamePage {
         display.add(new PageDisplay(Catalog::menu, Catalog::levels, player));
         display.get(0).opensCodesBy(Catalog::pasted);
         display.get(0).opensFilesBy(Catalog::dropped);
-        display.get(0).run(asked());
+        display.get(0).opensLinksBy(Catalog::linked);
+        display.get(0).run();
         keeping.begin();
     }
 
@@ -57,12 +52,6 @@ public final class GamePage {
             case Proving.ERRAND -> Proving.prove(words.get(0));
             default -> throw new IllegalArgumentException("there is no errand " + errand.get(0));
         }
-    }
-
-    /** The scene that the page's link names, such as {@code #flood}. */
-    private static Optional<Function<Director, Scene>> asked() {
-        String name = Window.current().getLocation().getHash().replace("#", "");
-        return Catalog.find(name).map(SceneEntry::open);
     }
 
     /** What the browser knows of a player who has chosen nothing yet. */

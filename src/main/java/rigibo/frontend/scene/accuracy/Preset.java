@@ -37,9 +37,19 @@ public enum Preset {
         return Arrays.stream(values()).filter(one -> one.accuracy.equals(accuracy)).findFirst();
     }
 
+    /** Its name in links. */
+    public String linked() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** The position that a link names; none where there is no such. */
+    public static Optional<Preset> ofLinked(String name) {
+        return Arrays.stream(values()).filter(one -> one.linked().equals(name)).findFirst();
+    }
+
     /** What it is, in a line. */
     String help(Words words) {
-        String purpose = words.of("preset." + name().toLowerCase(Locale.ROOT));
+        String purpose = words.of("preset." + linked());
         return words.of("preset.help", purpose, accuracy.substeps(), tolerance);
     }
 }

@@ -17,6 +17,10 @@ final class Distance {
         int count = 0;
         Iterator<RigidBody> others = other.bodies().iterator();
         for (RigidBody body : one.bodies()) {
+            if (!others.hasNext()) {
+                // The scene adds bodies by what it meets, and has met more than its copy.
+                break;
+            }
             RigidBody twin = others.next();
             if (body.type() == BodyType.DYNAMIC) {
                 sum += square(body.x() - twin.x(), body.y() - twin.y());

@@ -22,7 +22,7 @@ public final class Ghost {
     private final Pool original;
     private final Pool copy;
     private final Preset preset;
-    private final Twins twins;
+    private Twins twins;
     private final Divergence divergence = new Divergence();
 
     /**
@@ -30,16 +30,32 @@ public final class Ghost {
      * scene's own error; of EXACT, which has none to be told, the game's.
      */
     public static Ghost of(Pool original) {
+        return new Ghost(original, telling(original));
+    }
+
+    /**
+     * A ghost of a scene that does more by itself than its bodies tell, and has made no step yet:
+     * with a copy in which its owner does as much.
+     */
+    public static Ghost of(Pool original, Pool copy) {
+        return new Ghost(original, copy, telling(original));
+    }
+
+    private static Preset telling(Pool original) {
         boolean isExact = original.accuracy().equals(Preset.EXACT.accuracy());
         Preset next = Preset.of(original.accuracy()).map(Preset::next).orElse(Preset.EXACT);
-        return new Ghost(original, isExact ? Preset.GAME : next);
+        return isExact ? Preset.GAME : next;
     }
 
     /** A ghost at an accuracy of choice. */
     public Ghost(Pool original, Preset preset) {
+        this(original, Pool.restore(original.snapshot(), original.effects()), preset);
+    }
+
+    private Ghost(Pool original, Pool copy, Preset preset) {
         this.original = original;
+        this.copy = copy;
         this.preset = preset;
-        copy = Pool.restore(original.snapshot(), original.effects());
         copy.accuracy(preset.accuracy());
         twins = new Twins(original, copy);
     }
@@ -62,6 +78,27 @@ public final class Ghost {
     /** A body was taken out of the scene. */
     public void removed(RigidBody body) {
         copy.remove(twins.drop(body));
+    }
+
+    /** The owner of both has added or removed bodies and joints: they are twins by their places. */
+    public void paired() {
+        boolean isAlike =
+                original.bodies().size() == copy.bodies().size()
+                        && original.joints().size() == copy.joints().size();
+        if (isAlike) {
+            twins = new Twins(original, copy);
+        }
+    }
+
+    /** Whether a body of the scene has a twin. */
+    public boolean follows(RigidBody body) {
+        RigidBody twin = twins.of(body);
+        return twin != null && twin.isAlive();
+    }
+
+    /** Whether a joint of the scene has a twin. */
+    public boolean follows(Joint joint) {
+        return twins.of(joint) != null;
     }
 
     /** A joint was made in the scene. */

@@ -4,6 +4,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Narrator;
+import rigibo.frontend.scene.Words;
 
 import java.util.List;
 import java.util.function.IntConsumer;
@@ -12,12 +13,14 @@ import java.util.function.IntSupplier;
 /**
  * A choice of a few options, which a press cycles through.
  *
+ * @param linked its name in links; empty where links leave it as it is
  * @param words its label
  * @param options the options
  * @param value index of the present option, from 0
  * @param change sets it
  */
-public record Choice(String words, List<String> options, IntSupplier value, IntConsumer change)
+public record Choice(
+        String linked, String words, List<String> options, IntSupplier value, IntConsumer change)
         implements Widget {
 
     /** From here on, as a share of the width, a press goes on, before it goes back. */
@@ -25,6 +28,33 @@ public record Choice(String words, List<String> options, IntSupplier value, IntC
 
     public Choice {
         options = List.copyOf(options);
+    }
+
+    /** A choice that no link makes. */
+    public Choice(String words, List<String> options, IntSupplier value, IntConsumer change) {
+        this("", words, options, value, change);
+    }
+
+    /** A choice that links make, with the word of a key. */
+    public Choice(
+            Words words, String key, List<String> options, IntSupplier value, IntConsumer change) {
+        this(Widget.linked(key), words.of(key), options, value, change);
+    }
+
+    @Override
+    public String setting() {
+        return "" + value.getAsInt();
+    }
+
+    @Override
+    public boolean set(String setting) {
+        for (int i = 0; i < options.size(); i++) {
+            if (setting.equals("" + i)) {
+                change.accept(i);
+                return true;
+            }
+        }
+        return false;
     }
 
     @Override

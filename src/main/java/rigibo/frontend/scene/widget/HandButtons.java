@@ -2,6 +2,7 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Control;
+import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Enlarged;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Words;
@@ -65,6 +66,13 @@ public final class HandButtons {
                 new Item("‹", words.of("hand.previous"), () -> beside.accept(-1)),
                 new Item("›", words.of("hand.next"), () -> beside.accept(1)),
                 new Item(words.of("puzzle.command.restart"), restart));
+    }
+
+    /** The button that gives the address of what is shown to others, where it has one. */
+    public static List<Item> ofAddress(Director director) {
+        return director.hasAddress()
+                ? List.of(new Item(director.words().of("hand.link"), director::share))
+                : List.of();
     }
 
     /** Draws buttons at places of a sheet, px; there they are until {@link #clear}. */

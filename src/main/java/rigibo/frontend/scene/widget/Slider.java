@@ -8,6 +8,7 @@ import rigibo.frontend.scene.Words;
 
 import java.util.function.DoubleConsumer;
 import java.util.function.DoubleSupplier;
+import java.util.regex.Pattern;
 
 /**
  * A number between two bounds, in equal notches.
@@ -34,6 +35,11 @@ public record Slider(
 
     /** The middles of words and rail, as shares of a row. */
     private static final double WORDS = 11 / ROW;
+
+    private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
+
+    /** One over the finest number that links hold. */
+    private static final double DIGITS = 1e4;
 
     private static final double RAIL = 25 / ROW;
 
@@ -83,6 +89,30 @@ public record Slider(
     @Override
     public void nudge(int direction) {
         set(value.getAsDouble() + direction * notch);
+    }
+
+    @Override
+    public String linked() {
+        return Widget.linked(key);
+    }
+
+    @Override
+    public String setting() {
+        double rounded = Math.round(value.getAsDouble() * DIGITS) / DIGITS;
+        return rounded == Math.rint(rounded) ? "" + Math.round(rounded) : "" + rounded;
+    }
+
+    @Override
+    public boolean set(String setting) {
+        if (!NUMBER.matcher(setting).matches()) {
+            return false;
+        }
+        double wanted = Double.parseDouble(setting);
+        boolean isInside = wanted >= least && wanted <= most;
+        if (isInside) {
+            set(wanted);
+        }
+        return isInside;
     }
 
     /** The present value as a share of the way between the bounds. */

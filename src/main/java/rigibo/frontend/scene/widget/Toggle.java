@@ -4,17 +4,47 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Narrator;
+import rigibo.frontend.scene.Words;
 
 import java.util.function.BooleanSupplier;
 
 /**
  * Switches something on and off.
  *
+ * @param linked its name in links; empty where links leave it as it is
  * @param words its label
  * @param isOn the present state
  * @param flip changes it
  */
-public record Toggle(String words, BooleanSupplier isOn, Runnable flip) implements Widget {
+public record Toggle(String linked, String words, BooleanSupplier isOn, Runnable flip)
+        implements Widget {
+
+    private static final String ON = "on";
+    private static final String OFF = "off";
+
+    /** A switch that no link sets. */
+    public Toggle(String words, BooleanSupplier isOn, Runnable flip) {
+        this("", words, isOn, flip);
+    }
+
+    /** A switch that links set, with the word of a key. */
+    public Toggle(Words words, String key, BooleanSupplier isOn, Runnable flip) {
+        this(Widget.linked(key), words.of(key), isOn, flip);
+    }
+
+    @Override
+    public String setting() {
+        return isOn.getAsBoolean() ? ON : OFF;
+    }
+
+    @Override
+    public boolean set(String setting) {
+        boolean isSetting = setting.equals(ON) || setting.equals(OFF);
+        if (isSetting && !setting.equals(setting())) {
+            flip.run();
+        }
+        return isSetting;
+    }
 
     @Override
     public void draw(Canvas canvas, double x, double y, double width, boolean isHot) {

@@ -39,6 +39,26 @@ public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
         return true;
     }
 
+    /** Its name in links; empty where links leave it as it is. */
+    default String linked() {
+        return "";
+    }
+
+    /** What it is set to, as links say it. */
+    default String setting() {
+        return "";
+    }
+
+    /** Sets it to what a link says; returns whether that is one of its settings. */
+    default boolean set(String setting) {
+        return false;
+    }
+
+    /** The name in links of what has a key: its last word. */
+    static String linked(String key) {
+        return key.substring(key.indexOf('.') + 1);
+    }
+
     /** One notch less (−1) or more (+1), by keys. */
     void nudge(int direction);
 }

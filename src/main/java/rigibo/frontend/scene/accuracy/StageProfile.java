@@ -1,4 +1,4 @@
-package rigibo.frontend.demo;
+package rigibo.frontend.scene.accuracy;
 
 import rigibo.backend.StepReport;
 import rigibo.backend.setup.StepStage;
@@ -10,9 +10,13 @@ import rigibo.frontend.scene.Words;
  * The time of a frame by stages of a step and drawing, smoothed and stacked, against the 16.7 ms
  * that a frame may take.
  */
-final class StageProfile {
+public final class StageProfile {
 
-    static final double HEIGHT = 178;
+    /** Longest time of a step and its drawing together, ms. */
+    public static final double BUDGET_MILLIS = 1000.0 / 60;
+
+    /** px. */
+    public static final double HEIGHT = 178;
 
     private static final double PADDING = 12;
 
@@ -48,12 +52,13 @@ final class StageProfile {
     private final Words words;
     private final double[] millis = new double[Part.values().length];
 
-    StageProfile(Words words) {
+    /** A profile in a player's words. */
+    public StageProfile(Words words) {
         this.words = words;
     }
 
     /** Records the times of a step. */
-    void step(StepReport report) {
+    public void step(StepReport report) {
         double[] now = new double[millis.length];
         for (StepStage stage : StepStage.values()) {
             now[Part.of(stage).ordinal()] += report.nanos(stage) / 1e6;
@@ -64,13 +69,13 @@ final class StageProfile {
     }
 
     /** Records the time that drawing took, ns. */
-    void drawing(long nanos) {
+    public void drawing(long nanos) {
         int i = Part.DRAWING.ordinal();
         millis[i] += (nanos / 1e6 - millis[i]) / SMOOTHING;
     }
 
     /** Draws the plate with its upper left corner at (x, y), px, so wide. */
-    void draw(Canvas canvas, double x, double y, double width) {
+    public void draw(Canvas canvas, double x, double y, double width) {
         canvas.panel(x, y, width, HEIGHT, 12, Color.PANEL);
         double total = 0;
         for (double part : millis) {
@@ -91,17 +96,17 @@ final class StageProfile {
     /** Draws the parts side by side; a frame over the budget gets a red border. */
     private void bar(Canvas canvas, double x, double y, double length, double total) {
         canvas.panel(x, y, length, 12, 4, Color.PANEL_LIT);
-        double scale = length / Math.max(FrameTimes.BUDGET_MILLIS, total);
+        double scale = length / Math.max(BUDGET_MILLIS, total);
         double from = x;
         for (Part part : Part.values()) {
             double width = millis[part.ordinal()] * scale;
             canvas.panel(from, y, width, 12, Math.min(4, width / 2), part.color);
             from += width;
         }
-        if (total > FrameTimes.BUDGET_MILLIS) {
+        if (total > BUDGET_MILLIS) {
             canvas.frame(x - 2, y - 2, length + 4, 16, 5, Color.BAD);
         }
-        double line = x + FrameTimes.BUDGET_MILLIS * scale;
+        double line = x + BUDGET_MILLIS * scale;
         canvas.line(line, y - 4, line, y + 16, 2, Color.BRASS);
     }
 

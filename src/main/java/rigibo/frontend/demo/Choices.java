@@ -1,0 +1,54 @@
+package rigibo.frontend.demo;
+
+import rigibo.frontend.scene.Link;
+import rigibo.frontend.scene.widget.Widget;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** What the controls of a demo are set to, as links carry it. */
+final class Choices {
+
+    private final List<Widget> widgets;
+    private final Map<String, String> first;
+
+    /** The controls of a demo that was just built. */
+    Choices(List<Widget> widgets) {
+        this.widgets = widgets.stream().filter(widget -> !widget.linked().isEmpty()).toList();
+        first = settings();
+    }
+
+    private Map<String, String> settings() {
+        Map<String, String> settings = new LinkedHashMap<>();
+        widgets.forEach(widget -> settings.put(widget.linked(), widget.setting()));
+        return settings;
+    }
+
+    /**
+     * Returns a link with what was chosen. One control may set another, so that it holds all of
+     * them or, where none was touched, none.
+     */
+    Link in(Link link) {
+        Map<String, String> settings = settings();
+        Link all = link;
+        if (!settings.equals(first)) {
+            for (Map.Entry<String, String> one : settings.entrySet()) {
+                all = all.with(one.getKey(), one.getValue());
+            }
+        }
+        return all;
+    }
+
+    /** Sets each control that a link names, in the order of the panel; returns how many took it. */
+    int follow(Link link) {
+        int taken = 0;
+        for (Widget widget : widgets) {
+            String setting = link.choices().get(widget.linked());
+            if (setting != null && widget.set(setting)) {
+                taken++;
+            }
+        }
+        return taken;
+    }
+}

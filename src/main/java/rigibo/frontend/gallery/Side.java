@@ -1,0 +1,19 @@
+package rigibo.frontend.gallery;
+
+/** What can stand beside an exhibit; one of them at a time. */
+enum Side {
+    SOURCE("gallery.source"),
+    FRAME("fold.frame"),
+    GHOST("fold.ghost");
+
+    private final String key;
+
+    Side(String key) {
+        this.key = key;
+    }
+
+    /** Key of the word on its tab. */
+    String key() {
+        return key;
+    }
+}

@@ -1,0 +1,75 @@
+package rigibo.frontend.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.frontend.scene.Link;
+import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Widget;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/** What controls are set to, carried from one demo to another by the text of a link. */
+class ChoicesTest {
+
+    static Stream<Function<Words, Demo>> demos() {
+        return EveryDemo.all();
+    }
+
+    private static Workbench bench(Demo demo) {
+        Workbench bench = new Workbench(demo.effects(), demo.camera());
+        demo.build(bench);
+        return bench;
+    }
+
+    private static List<Widget> linked(Demo demo) {
+        return demo.widgets().stream().filter(any -> !any.linked().isEmpty()).toList();
+    }
+
+    @ParameterizedTest
+    @MethodSource("demos")
+    void everyControlIsAsItWas(Function<Words, Demo> maker) {
+        Demo sent = maker.apply(new Words("en"));
+        bench(sent);
+        Choices choices = new Choices(sent.widgets());
+        assertThat(choices.in(Link.to("any"))).isEqualTo(Link.to("any"));
+        linked(sent).forEach(widget -> widget.nudge(1));
+        Link link = Link.of(choices.in(Link.to("any")).text());
+        Demo opened = maker.apply(new Words("de"));
+        bench(opened);
+        int taken = new Choices(opened.widgets()).follow(link);
+        assertThat(taken).isEqualTo(linked(sent).size()).isEqualTo(link.choices().size());
+        assertThat(linked(opened).stream().map(Widget::setting))
+                .isEqualTo(linked(sent).stream().map(Widget::setting).toList());
+    }
+
+    @ParameterizedTest
+    @MethodSource("demos")
+    void controlsHaveNamesOfTheirOwn(Function<Words, Demo> maker) {
+        Demo demo = maker.apply(new Words("en"));
+        bench(demo);
+        Set<String> names = new HashSet<>(Set.of("accuracy", "ghost"));
+        assertThat(linked(demo)).isNotEmpty().allMatch(any -> names.add(any.linked()));
+    }
+
+    /** Its controls apply to what is stacked next. */
+    @Test
+    void cratesAreStackedAsTheLinkSays() {
+        Demo demo = new CrateDemo(new Words("en"));
+        Pool pool = bench(demo).pool();
+        new Choices(demo.widgets()).follow(Link.of("crate?mass=20"));
+        demo.followed();
+        List<RigidBody> crates =
+                pool.bodies().stream().filter(any -> any.mass() > 19 && any.mass() < 21).toList();
+        assertThat(crates).hasSize(10);
+    }
+}
