@@ -42,7 +42,7 @@ final class DampedSwing {
     void between(double frequencySquare, double decayRate, double before, double after) {
         decay = decayRate;
         square = frequencySquare - decayRate * decayRate;
-        // The velocity of now, by that of the drift before, and that of the next drift by it.
+        // First from the drift before to the velocity of now, and from there to the next drift.
         kept = 1;
         pulled = 0;
         if (Math.abs(before) > INSTANT * Math.abs(after)) {

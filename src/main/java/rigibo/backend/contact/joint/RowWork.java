@@ -74,8 +74,8 @@ final class RowWork {
     }
 
     /**
-     * Work that contacts would do at the speeds which they have now, J: none, where they are
-     * solved. What runs along a surface may drive; only what is off its speed counts.
+     * Work of contacts at the speeds that their points have now, J: none, where they are solved. A
+     * running surface may drive, so that friction is asked against its speed.
      */
     double sumOfContactsNow() {
         double sum = 0;

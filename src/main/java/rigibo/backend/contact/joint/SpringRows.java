@@ -7,10 +7,10 @@ import rigibo.backend.storage.JointStore;
  * Springs and dampers as rows with compliance. A spring that oscillates slowly relative to the
  * substep acts with its present force, j = −L·k·x, which is symmetric in time and keeps the energy
  * of a leapfrog. If it is damped, j = −L·k·x − c′·(w₀ + w₁)/2 − m′·(w₁ − w₀), where c′ and m′ make
- * a body that nothing else moves follow the truth to round-off ({@link DampedSwing}); what rests
- * sags by what the spring gives way by, whatever they are. A stiffer one acts with the force at the
- * end of the drift, j = −L·(k·(x + h·w₁) + c·w₁), which is stable at any stiffness, rests at the
- * same place and only loses energy (Baraff and Witkin, Large steps in cloth simulation, 1998).
+ * a body that nothing else moves follow the truth to round-off ({@link DampedSwing}); at rest
+ * neither acts, so that it sags by m·g/k. A stiffer one acts with the force at the end of the
+ * drift, j = −L·(k·(x + h·w₁) + c·w₁), which is stable at any stiffness, rests at the same place
+ * and only loses energy (Baraff and Witkin, Large steps in cloth simulation, 1998).
  */
 final class SpringRows {
 
