@@ -38,8 +38,13 @@ class DemoEffectsTest {
                     "air-drag",
                     "wind");
 
+    /** A demo with its effects bar, which is opened where plates have one column only. */
     private static Scene open(Function<Words, Demo> maker) {
-        return new DemoScene(new RecordingDirector(), maker);
+        Scene scene = new DemoScene(new RecordingDirector(), maker);
+        if (chips(RecordingCanvas.of(scene, EveryDemo.WIDE)).isEmpty()) {
+            scene.keyPressed(Key.E);
+        }
+        return scene;
     }
 
     private static List<String> chips(RecordingCanvas canvas) {
