@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
@@ -20,18 +19,7 @@ class FingerTest {
     private double now;
 
     private final Scene scene =
-            new Scene() {
-                @Override
-                public String title() {
-                    return "test";
-                }
-
-                @Override
-                public void step() {}
-
-                @Override
-                public void draw(Canvas canvas) {}
-
+            new BlankScene() {
                 @Override
                 public Tap tap(double x, double y) {
                     return tap;

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 
 import rigibo.frontend.scene.Camera;
-import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Edges;
 import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Layout;
@@ -31,18 +30,7 @@ class FingersTest {
     private Tap tap = Tap.AT_ONCE;
 
     private final Scene scene =
-            new Scene() {
-                @Override
-                public String title() {
-                    return "test";
-                }
-
-                @Override
-                public void step() {}
-
-                @Override
-                public void draw(Canvas canvas) {}
-
+            new BlankScene() {
                 @Override
                 public Tap tap(double x, double y) {
                     return tap;
@@ -93,7 +81,7 @@ class FingersTest {
         double indexY = worldY(420);
         fingers.down(THUMB, 100, 500);
         fingers.down(INDEX, 160, 420);
-        // The same direction, twice as far from each other, and elsewhere.
+        // The fingers move, and part to twice their distance without turning.
         for (int i = 1; i <= 20; i++) {
             fingers.slid(THUMB, 100 - 2 * i, 500 + 5 * i);
             fingers.slid(INDEX, 160 + i, 420 + i);

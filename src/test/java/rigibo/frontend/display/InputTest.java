@@ -8,7 +8,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import rigibo.frontend.scene.Action;
-import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Modifier;
@@ -28,18 +27,7 @@ class InputTest {
     private KeyBindings chosen = KeyBindings.FIRST;
 
     private final Scene scene =
-            new Scene() {
-                @Override
-                public String title() {
-                    return "test";
-                }
-
-                @Override
-                public void step() {}
-
-                @Override
-                public void draw(Canvas canvas) {}
-
+            new BlankScene() {
                 @Override
                 public void held(Set<Modifier> modifiers) {
                     told.add("held " + modifiers);

@@ -71,30 +71,25 @@ final class JointRows {
      * followed by a drift.
      */
     void write(double kickLength, double driftLength) {
-        isAtOnce = false;
-        springs.begin(kickLength, driftLength, false);
-        writeAll(kickLength, driftLength);
+        write(kickLength, driftLength, false);
     }
 
-    /**
-     * Writes them likewise for the last kick of a substep of h seconds, after which none drifts.
-     */
-    void writeAtRest(double kickLength, double h) {
+    /** Writes them likewise; after the last kick of a substep with such a drift nothing drifts. */
+    void write(double kickLength, double driftLength, boolean isLast) {
         isAtOnce = false;
-        springs.begin(kickLength, h, true);
-        writeAll(kickLength, h);
+        writeAll(kickLength, driftLength, isLast);
     }
 
     /** Writes the rows of all joints for an impact, without springs and motors of limited force. */
     void writeAtOnce() {
         isAtOnce = true;
-        springs.begin(1, 1, false);
-        writeAll(1, 1);
+        writeAll(1, 1, false);
     }
 
-    private void writeAll(double kickLength, double driftLength) {
+    private void writeAll(double kickLength, double driftLength, boolean isLast) {
         kick = kickLength;
         drift = driftLength;
+        springs.begin(kickLength, driftLength, isLast);
         for (joint = 0; joint < packed.count; joint++) {
             slot = packed.slot[joint];
             a = packed.offsetA[joint];

@@ -242,7 +242,7 @@ public final class JointSolver {
      */
     public boolean areHeldByEquations(double h) {
         poses.take(0);
-        writeRows(h, h);
+        writeRows(h, h, false);
         areWritten = !contactRows.areAny();
         boolean areEquations = budget.isWhole() && !jointRows.areAnyStiff();
         for (int row = 0; areEquations && row < rows.count; row++) {
@@ -282,7 +282,7 @@ public final class JointSolver {
         strikes.watchNothing();
         if (!areWritten) {
             poses.take(0);
-            writeRows(h, h);
+            writeRows(h, h, false);
             contactRows.write(h, substep);
         }
         areWritten = false;
@@ -321,22 +321,16 @@ public final class JointSolver {
      * which they drift for h.
      */
     public void write(double kick, double h) {
-        beginKick(kick, h, budget.isWhole());
-        writeRows(kick, h);
-        results.keepArms(poses);
+        write(kick, h, budget.isWhole(), false);
     }
 
     /** Writes them likewise before a kick after which nothing drifts. */
     public void writeAtRest(double kick, double h) {
-        beginKick(kick, h, false);
-        areWritten = false;
-        rows.clear();
-        jointRows.writeAtRest(kick, h);
-        results.keepArms(poses);
+        write(kick, h, false, true);
     }
 
-    /** Takes poses; what is too taut answers by inertia where it may. */
-    private void beginKick(double kick, double h, boolean mayAnswer) {
+    /** Writes them; what is too taut answers by inertia where it may. */
+    private void write(double kick, double h, boolean mayAnswer, boolean isLast) {
         share = kicked == 0 ? 0 : kick / kicked;
         poses.take(0);
         if (needed.isTaut() && mayAnswer && kicked > 0) {
@@ -345,13 +339,15 @@ public final class JointSolver {
             inertia.release();
         }
         kicked = kick;
+        writeRows(kick, h, isLast);
+        results.keepArms(poses);
     }
 
     /** Writes them for the poses that were taken. */
-    private void writeRows(double kick, double h) {
+    private void writeRows(double kick, double h, boolean isLast) {
         areWritten = false;
         rows.clear();
-        jointRows.write(kick, h);
+        jointRows.write(kick, h, isLast);
     }
 
     /** Begins a part of h seconds whose rows are written, before its kick. */

@@ -95,7 +95,7 @@ public record Use(
         return used(share, base.with(share == Share.NONE ? neutral : effect), push);
     }
 
-    /** The same bodies without the effect. */
+    /** Its bodies with the effect left undeclared. */
     public Workload undeclared(Share share) {
         return used(share, base, NO_PUSH);
     }
