@@ -1,5 +1,6 @@
 package rigibo.frontend.puzzle;
 
+import rigibo.frontend.puzzle.endless.Day;
 import rigibo.frontend.puzzle.endless.Making;
 import rigibo.frontend.puzzle.endless.MakingNote;
 import rigibo.frontend.puzzle.level.Level;
@@ -59,7 +60,11 @@ final class MadeReplayScene implements TiledScene {
     }
 
     private Scene watched(Level level) {
-        LoadedReplay loaded = replay.in(level);
+        Level named =
+                Day.ofSeed(replay.origin().seed())
+                        .map(day -> day.named(level, words))
+                        .orElse(level);
+        LoadedReplay loaded = replay.in(named);
         return loaded.recording()
                 .<Scene>map(run -> new ReplayScene(director, run, ReplayScene.Audience.PLAYER))
                 .orElseGet(() -> new ProblemsScene(director, loaded.problems()));

@@ -46,6 +46,7 @@ import java.time.Instant;
 import java.time.LocalDate;
 import java.time.ZoneId;
 import java.util.List;
+import java.util.Optional;
 
 /** Levels of days and endless ones, from the list to the result. */
 class MadeLevelsTest {
@@ -103,6 +104,19 @@ class MadeLevelsTest {
         assertThat(new Day(DATE).seeds()).startsWith(20261127L).doesNotHaveDuplicates();
         assertThat(new Day(DATE).seeds())
                 .doesNotContainAnyElementsOf(new Day(DATE.plusDays(1)).seeds());
+    }
+
+    @Test
+    void everySeedOfADayTellsIt() {
+        Day leap = new Day(LocalDate.of(2028, 2, 29));
+        assertThat(leap.seeds()).allMatch(seed -> Day.ofSeed(seed).equals(Optional.of(leap)));
+    }
+
+    /** Endless levels, dates that no calendar has, and a number beyond the seeds of a day. */
+    @ParameterizedTest
+    @ValueSource(longs = {-1, 1, 10_115, 19_991_231, 20_270_229, 20_261_300, 1_020_261_127})
+    void otherSeedsAreNoDay(long seed) {
+        assertThat(Day.ofSeed(seed)).isEmpty();
     }
 
     @Test
@@ -204,7 +218,11 @@ class MadeLevelsTest {
     }
 
     private static JsonNode replay() {
-        Level level = done.made().orElseThrow().level();
+        return replayOf(done);
+    }
+
+    private static JsonNode replayOf(Making making) {
+        Level level = making.made().orElseThrow().level();
         Recording run = Recordings.of(level.called("mine", level.title()), Accuracy.GAME);
         String code = ReplayCode.of(run).orElseThrow();
         String text = ShareCode.read(code, new Problems("code")).orElseThrow().text();
@@ -217,7 +235,7 @@ class MadeLevelsTest {
     }
 
     private MadeReplayScene waiting(JsonNode replay, Making making) {
-        Origin origin = done.made().orElseThrow().level().origin().orElseThrow();
+        Origin origin = making.made().or(done::made).orElseThrow().level().origin().orElseThrow();
         return new MadeReplayScene(
                 director, new UnmadeReplay("code", replay.toString(), origin), making);
     }
@@ -237,6 +255,15 @@ class MadeLevelsTest {
             last().step();
         }
         assertThat(show.hasSucceeded()).as("the same to the last bit").isTrue();
+    }
+
+    @Test
+    void replayOfADayIsCalledAfterTheDay() throws InterruptedException {
+        Making making = Making.begin(new Day(DATE).seeds());
+        making.await();
+        waiting(replayOf(making), making).step();
+        assertThat(last().title()).contains("Level of the day, 2026-11-27");
+        last().closed();
     }
 
     @Test

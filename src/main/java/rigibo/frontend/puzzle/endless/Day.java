@@ -9,6 +9,7 @@ import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Words;
 
 import java.time.Clock;
+import java.time.DateTimeException;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
@@ -36,9 +37,28 @@ public record Day(LocalDate date) implements Occasion {
     private static final int YEAR = 10_000;
     private static final int MONTH = 100;
 
+    /** Seeds of earlier years are numbers of endless levels. */
+    private static final int FIRST_YEAR = 2000;
+
     /** The day that a clock shows in UTC, the same all over the world. */
     public static Day of(Clock clock) {
         return new Day(clock.instant().atZone(ZoneOffset.UTC).toLocalDate());
+    }
+
+    /** The day that a seed belongs to; empty for a seed of an endless level. */
+    public static Optional<Day> ofSeed(long seed) {
+        long number = seed % PITCH;
+        if (seed / PITCH >= SEEDS || number < FIRST_YEAR * (long) YEAR) {
+            return Optional.empty();
+        }
+        try {
+            int year = (int) (number / YEAR);
+            int month = (int) (number % YEAR / MONTH);
+            int day = (int) (number % MONTH);
+            return Optional.of(new Day(LocalDate.of(year, month, day)));
+        } catch (DateTimeException isNoDate) {
+            return Optional.empty();
+        }
     }
 
     @Override
