@@ -3,6 +3,7 @@ package rigibo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 import rigibo.backend.Pool;
@@ -15,6 +16,7 @@ import rigibo.lab.bench.query.QueryBench;
 import rigibo.lab.bench.scene.BenchScene;
 import rigibo.lab.bench.scene.BenchScenes;
 import rigibo.lab.bench.scene.MovingScenes;
+import rigibo.lab.bench.workers.Crew;
 import rigibo.lab.bench.workers.WorkersBench;
 import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Engines;
@@ -122,6 +124,16 @@ final class BenchCommand implements Callable<Integer> {
     private List<Integer> workers = List.of();
 
     @Option(
+            names = "--rehearse",
+            paramLabel = "N",
+            split = ",",
+            description =
+                    "With --workers: further numbers of workers, such as 2,4,8, whose times are"
+                            + " computed from the longest path of their work, whatever cores there"
+                            + " are.")
+    private List<Integer> rehearsed = List.of();
+
+    @Option(
             names = "--preset",
             paramLabel = "PRESET",
             split = ",",
@@ -169,6 +181,13 @@ final class BenchCommand implements Callable<Integer> {
         for (int count : workers) {
             Options.requireBetween(spec, "--workers", count, 1, Pool.MOST_WORKERS);
         }
+        if (!rehearsed.isEmpty() && workers.isEmpty()) {
+            throw new ParameterException(
+                    spec.commandLine(), "--rehearse needs --workers to compare with, such as 1");
+        }
+        for (int count : rehearsed) {
+            Options.requireBetween(spec, "--rehearse", count, 2, Pool.MOST_WORKERS);
+        }
         Destination.requireFile(spec, "--csv", csv);
         Destination.requireFile(spec, "--markdown", page);
         Destination.requireDirectory(spec, "--out", out);
@@ -212,7 +231,7 @@ final class BenchCommand implements Callable<Integer> {
         if (!scenes.isEmpty()) {
             shared.addAll(chosenScenes());
         }
-        WorkersBench bench = new WorkersBench(shared, workers, movingSteps(), runs);
+        WorkersBench bench = new WorkersBench(shared, crews(), movingSteps(), runs);
         return told(bench.run(this::tell), environment());
     }
 
@@ -262,6 +281,13 @@ final class BenchCommand implements Callable<Integer> {
                         runs,
                         out);
         return told(bench.run(this::tell), environment().withFlags(bench.method()));
+    }
+
+    private List<Crew> crews() {
+        return Stream.concat(
+                        workers.stream().map(count -> new Crew(count, false)),
+                        rehearsed.stream().map(count -> new Crew(count, true)))
+                .toList();
     }
 
     private Stream<Contestant> contestants(Engine engine) {
@@ -318,12 +344,16 @@ final class BenchCommand implements Callable<Integer> {
         if (moving.isEmpty() && workers.isEmpty()) {
             return " --rounds " + rounds;
         }
-        String counts = workers.stream().map(String::valueOf).collect(Collectors.joining(","));
+        String rehearsing = rehearsed.isEmpty() ? "" : " --rehearse " + joined(rehearsed);
         return (moving.isEmpty() ? "" : " --moving " + String.join(",", moving))
-                + (counts.isEmpty() ? "" : " --workers " + counts)
+                + (workers.isEmpty() ? "" : " --workers " + joined(workers) + rehearsing)
                 + (presets.isEmpty() ? "" : " --preset " + String.join(",", presets))
                 + " --runs "
                 + runs;
+    }
+
+    private static String joined(List<Integer> numbers) {
+        return numbers.stream().map(String::valueOf).collect(Collectors.joining(","));
     }
 
     private void tell(String words) {

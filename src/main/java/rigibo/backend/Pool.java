@@ -329,7 +329,10 @@ public final class Pool implements AutoCloseable {
         plan.compile(plan.effects(), accuracy);
     }
 
-    /** The number of workers that share a step: 1 unless {@link #workers(int)} said otherwise. */
+    /**
+     * The number of workers that share a step: 1 unless {@link #workers(int)} or {@link
+     * #rehearse(int)} said otherwise.
+     */
     public int workers() {
         return workers.count();
     }
@@ -348,8 +351,27 @@ public final class Pool implements AutoCloseable {
     public void workers(int count) {
         Require.within("Pool.workers", count, 1, MOST_WORKERS);
         busy.requireChangeable("change the number of workers");
-        if (count != workers.count()) {
+        if (!workers.are(count, false)) {
             plan.share(workers.hire(count));
+        }
+    }
+
+    /**
+     * Finds out what workers would bring on a machine with a core for each: from now on the thread
+     * that steps does the shares of all of them, one after the other, with the same bits, and
+     * {@link StepReport#spared()} tells how much earlier a step would have ended. That is a
+     * computation, and a bound: no thread has to wake up and no memory moves from core to core.
+     * {@link #workers(int)} ends it.
+     *
+     * @param count 1 to 64
+     * @throws IllegalArgumentException when the count is out of its range
+     * @throws IllegalStateException when called within a step or from a visitor
+     */
+    public void rehearse(int count) {
+        Require.within("Pool.rehearse", count, 1, MOST_WORKERS);
+        busy.requireChangeable("rehearse with workers");
+        if (!workers.are(count, true)) {
+            plan.share(workers.rehearse(count));
         }
     }
 

@@ -102,6 +102,15 @@ public final class StepReport {
     }
 
     /**
+     * Time in ns by which the step would have been shorter with a core for each worker of {@link
+     * Pool#rehearse(int)}; 0 without a rehearsal. The time of the step less this is the longest
+     * path of its work: what has one order, and the longest share of all else.
+     */
+    public long spared() {
+        return counters.spared;
+    }
+
+    /**
      * Solver rows of the islands that were solved by the given method; all together {@link
      * #rows()}.
      */

@@ -241,6 +241,7 @@ public final class StepPlan {
         }
         if (team != null) {
             data.counters.splits = team.takeSplits();
+            data.counters.spared = team.takeSpared();
         }
     }
 

@@ -35,6 +35,9 @@ public final class Counters {
     /** Number of times that work was split among workers. */
     public int splits;
 
+    /** Time that a core for each of several rehearsed workers would have spared, ns. */
+    public long spared;
+
     /** Number of searches for what is around a body of a pile. */
     public int searches;
 
@@ -67,6 +70,7 @@ public final class Counters {
         multiplications = 0;
         sharedIslands = 0;
         splits = 0;
+        spared = 0;
         searches = 0;
         sensed = 0;
         deepestOverlap = 0;

@@ -18,14 +18,15 @@ import java.util.function.Consumer;
 
 /**
  * Runs each step of a scene in pools with different numbers of workers in turn and times it by the
- * wall clock, which is what a player waits for.
+ * wall clock, which is what a player waits for. Of workers that are rehearsed the time is computed:
+ * the longest path of the work.
  *
  * @param scenes in the order of the report
- * @param workers numbers of workers; the first is what the others are compared with
+ * @param crews who makes the steps; the first is what the others are compared with
  * @param steps of each scene
  * @param runs by whose median each step is timed, after one that is not
  */
-public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int steps, int runs) {
+public record WorkersBench(List<BenchScene> scenes, List<Crew> crews, int steps, int runs) {
 
     private static final double DT = 1.0 / 60;
     private static final OperatingSystemMXBean SYSTEM =
@@ -34,10 +35,10 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
     /** A pool, and what its scene needs to continue. */
     private record Going(Pool pool, World world, Scene scene) {
 
-        static Going of(BenchScene scene, int workers) {
+        static Going of(BenchScene scene, Crew crew) {
             Scene built = scene.scene().get();
             Pool pool = new Pool(built.effects(), Accuracy.GAME);
-            pool.workers(workers);
+            crew.hireFor(pool);
             World world = RigiBoEngine.world(pool);
             built.build(world);
             return new Going(pool, world, built);
@@ -53,8 +54,8 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
         List<WorkersCourse> courses = new ArrayList<>();
         for (BenchScene scene : scenes) {
             List<WorkersCourse> found =
-                    workers.stream()
-                            .map(count -> new WorkersCourse(scene, count, steps, runs))
+                    crews.stream()
+                            .map(crew -> new WorkersCourse(scene, crew, steps, runs))
                             .toList();
             for (int run = -1; run < runs; run++) {
                 tell.accept(scene.name() + ", run " + (run + 1) + " of " + runs);
@@ -62,14 +63,14 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
             }
             courses.addAll(found);
         }
-        return new WorkersReport(courses, workers.get(0)).table();
+        return new WorkersReport(courses, crews.get(0)).table();
     }
 
     /** The pools take turns at going first, since the first one finds a colder cache. */
     private void time(BenchScene scene, int run, List<WorkersCourse> courses) {
         Going[] going =
                 courses.stream()
-                        .map(course -> Going.of(scene, course.workers()))
+                        .map(course -> Going.of(scene, course.crew()))
                         .toArray(Going[]::new);
         long[] hashes = new long[going.length];
         for (int step = 0; step < steps; step++) {
@@ -83,7 +84,8 @@ public record WorkersBench(List<BenchScene> scenes, List<Integer> workers, int s
                 long after = System.nanoTime();
                 if (run >= 0) {
                     double all = SYSTEM.getProcessCpuTime() - used;
-                    courses.get(turn).note(run, step, after - before, all, one.pool.report());
+                    long took = after - before - one.pool.report().spared();
+                    courses.get(turn).note(run, step, took, all, one.pool.report());
                 }
                 hashes[turn] = one.pool.stateHash();
             }

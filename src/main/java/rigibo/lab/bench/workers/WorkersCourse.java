@@ -6,11 +6,11 @@ import rigibo.lab.bench.scene.BenchScene;
 
 import java.util.Arrays;
 
-/** Times of the steps of a scene by a number of workers. */
+/** Times of the steps of a scene by a crew. */
 final class WorkersCourse {
 
     private final BenchScene scene;
-    private final int workers;
+    private final Crew crew;
 
     /** ns by step and run. */
     private final double[][] wall;
@@ -20,9 +20,11 @@ final class WorkersCourse {
 
     private int sharedSteps;
 
-    WorkersCourse(BenchScene scene, int workers, int steps, int runs) {
+    private long splits;
+
+    WorkersCourse(BenchScene scene, Crew crew, int steps, int runs) {
         this.scene = scene;
-        this.workers = workers;
+        this.crew = crew;
         wall = new double[steps][runs];
         processor = new double[steps][runs];
     }
@@ -31,19 +33,25 @@ final class WorkersCourse {
         return scene;
     }
 
-    int workers() {
-        return workers;
+    Crew crew() {
+        return crew;
     }
 
     void note(int run, int step, double nanos, double ofProcess, StepReport report) {
         wall[step][run] = nanos;
         processor[step][run] = ofProcess;
         sharedSteps += run == 0 && report.splits() > 0 ? 1 : 0;
+        splits += run == 0 ? report.splits() : 0;
     }
 
     /** The share of the steps whose work was shared by workers. */
     double shared() {
         return sharedSteps / (double) wall.length;
+    }
+
+    /** How often workers meet in a step, in the mean. */
+    double meetings() {
+        return splits / (double) wall.length;
     }
 
     /** The wall-clock times of the steps, medians over the runs, ns. */

@@ -12,9 +12,9 @@ import java.util.Locale;
 final class WorkersReport {
 
     private final List<WorkersCourse> courses;
-    private final int comparedWith;
+    private final Crew comparedWith;
 
-    WorkersReport(List<WorkersCourse> courses, int comparedWith) {
+    WorkersReport(List<WorkersCourse> courses, Crew comparedWith) {
         this.courses = courses;
         this.comparedWith = comparedWith;
     }
@@ -29,8 +29,10 @@ final class WorkersReport {
                                 "p99",
                                 "most",
                                 "times as fast",
+                                "efficiency",
                                 "processor time",
-                                "steps that share"),
+                                "steps that share",
+                                "meetings"),
                         courses.stream().map(this::row).toList()),
                 List.of());
     }
@@ -39,20 +41,27 @@ final class WorkersReport {
         double first =
                 courses.stream()
                         .filter(other -> other.scene().equals(course.scene()))
-                        .filter(other -> other.workers() == comparedWith)
+                        .filter(other -> other.crew().equals(comparedWith))
                         .findFirst()
                         .orElseThrow()
                         .wall()
                         .mean();
         StepTimes wall = course.wall();
+        double gain = first / wall.mean();
         return List.of(
                 course.scene().name(),
-                "" + course.workers(),
+                course.crew().words(),
                 Amount.time(wall.mean()),
                 Amount.time(wall.p99()),
                 Amount.time(wall.max()),
-                Amount.digits(first / wall.mean()),
+                Amount.digits(gain),
+                percent(gain * comparedWith.workers() / course.crew().workers()),
                 Amount.time(course.processor().mean()),
-                String.format(Locale.ROOT, "%.0f %%", 100 * course.shared()));
+                percent(course.shared()),
+                String.format(Locale.ROOT, "%.0f", course.meetings()));
+    }
+
+    private static String percent(double share) {
+        return String.format(Locale.ROOT, "%.0f %%", 100 * share);
     }
 }

@@ -8,6 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.team.Team;
+import rigibo.backend.team.ThreadTeam;
 
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
@@ -45,7 +46,7 @@ class SharedRowsTest {
     void passesGoFromColourToColour(int workers) {
         pack();
         int[][] orders = {{0, 1, 2, 3, 4, 5}, {3, 2, 1, 0, 4, 5}};
-        try (Team team = new Team(workers)) {
+        try (Team team = new ThreadTeam(workers)) {
             SharedRows shared = new SharedRows(team, contacts);
             assertThat(shared.areWorthwhile()).isTrue();
             for (int pass = 0; pass < 200; pass++) {
@@ -108,7 +109,7 @@ class SharedRowsTest {
 
     @Test
     void fewContactsAreNotShared() {
-        try (Team team = new Team(2)) {
+        try (Team team = new ThreadTeam(2)) {
             SharedRows shared = new SharedRows(team, contacts);
             contacts.clear(1);
             for (int i = 1; i < SharedRows.WORTHWHILE; i++) {

@@ -1,36 +1,25 @@
 package rigibo.backend.team;
 
 /**
- * What the engine's {@code Team} is in a browser, which has no threads that share memory: the
+ * What the engine's {@code ThreadTeam} is in a browser, which has no threads that share memory: the
  * caller does every piece, one after the other, and so the bits are those of any number of workers.
  */
-public final class Team implements AutoCloseable {
-
-    /** Most workers of a team. */
-    public static final int MOST = 64;
+public final class ThreadTeam implements Team {
 
     private final int size;
     private int splits;
 
-    /** Work on a range of numbers, of which no part depends on another. */
-    @FunctionalInterface
-    public interface Pieces {
-
-        /** Does the work from one number up to another, which is excluded. */
-        void run(int from, int to, int worker);
-    }
-
     /** A team that says it has so many workers. */
-    public Team(int workers) {
+    public ThreadTeam(int workers) {
         size = workers;
     }
 
-    /** Number of workers that were asked for. */
+    @Override
     public int size() {
         return size;
     }
 
-    /** Does work on the numbers from 0 to {@code count}, excluded, in pieces of {@code grain}. */
+    @Override
     public void split(int count, int grain, Pieces work) {
         splits++;
         for (int from = 0; from < count; from += grain) {
@@ -38,7 +27,7 @@ public final class Team implements AutoCloseable {
         }
     }
 
-    /** Number of times that work was split since the last call. */
+    @Override
     public int takeSplits() {
         int since = splits;
         splits = 0;

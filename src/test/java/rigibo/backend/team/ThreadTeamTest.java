@@ -14,7 +14,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 
 @Timeout(60)
-class TeamTest {
+class ThreadTeamTest {
 
     private static final int PIECES = 2_000;
 
@@ -27,7 +27,7 @@ class TeamTest {
         int[] done = new int[200];
         int[] expected = new int[200];
         Set<Thread> by = ConcurrentHashMap.newKeySet();
-        try (Team team = new Team(workers)) {
+        try (Team team = new ThreadTeam(workers)) {
             assertThat(team.size()).isEqualTo(workers);
             for (int piece = 1; piece <= PIECES; piece++) {
                 int count = piece % (done.length + 1);
@@ -53,7 +53,7 @@ class TeamTest {
     @ValueSource(ints = {2, 3, 8})
     void workersHaveNumbersOfTheirOwn(int workers) {
         Thread[] by = new Thread[workers];
-        try (Team team = new Team(workers)) {
+        try (Team team = new ThreadTeam(workers)) {
             team.split(by.length, 1, waiting(by));
         }
         assertThat(by).doesNotHaveDuplicates().doesNotContainNull();
@@ -79,7 +79,7 @@ class TeamTest {
     @ValueSource(ints = {2, 3, 8})
     void everyWorkerBeginsWithItsOwnShare(int workers) {
         int[] starts = new int[workers];
-        try (Team team = new Team(workers)) {
+        try (Team team = new ThreadTeam(workers)) {
             for (int i = 0; i < 20; i++) {
                 Team.Pieces all = waiting(new Thread[workers]);
                 team.split(
@@ -98,7 +98,7 @@ class TeamTest {
 
     @Test
     void splitsAreCounted() {
-        try (Team team = new Team(2)) {
+        try (Team team = new ThreadTeam(2)) {
             for (int i = 0; i < 7; i++) {
                 team.split(i, 1, (from, to, worker) -> {});
             }
@@ -109,7 +109,7 @@ class TeamTest {
 
     @Test
     void failuresReachTheCallerAndTheTeamGoesOn() {
-        try (Team team = new Team(3)) {
+        try (Team team = new ThreadTeam(3)) {
             for (int failing = 0; failing < 3; failing++) {
                 int who = failing;
                 Team.Pieces all = waiting(new Thread[3]);
@@ -136,7 +136,7 @@ class TeamTest {
     @Test
     void threadsEndWithTheTeam() throws InterruptedException {
         Thread[] by = new Thread[2];
-        try (Team team = new Team(2)) {
+        try (Team team = new ThreadTeam(2)) {
             team.split(by.length, 1, waiting(by));
             assertThat(by[1].isAlive()).isTrue();
         }
@@ -148,7 +148,7 @@ class TeamTest {
     void threadsEndWhenTheirOwnerIsForgotten() throws InterruptedException {
         Thread[] by = new Thread[2];
         Object owner = new Object();
-        Team team = new Team(2);
+        ThreadTeam team = new ThreadTeam(2);
         team.closeWith(owner);
         team.split(by.length, 1, waiting(by));
         assertThat(by[1].isAlive()).isTrue();
@@ -163,7 +163,7 @@ class TeamTest {
     @Test
     void whoHasNothingToDoIsParked() throws InterruptedException {
         Thread[] by = new Thread[2];
-        try (Team team = new Team(2)) {
+        try (Team team = new ThreadTeam(2)) {
             team.split(by.length, 1, waiting(by));
             while (by[1].getState() != Thread.State.WAITING) {
                 Thread.sleep(1);
