@@ -73,6 +73,21 @@ class BenchCommandTest {
         return Main.run(new PrintWriter(out), new PrintWriter(err), all.split(" "));
     }
 
+    @Test
+    void workersAreComparedWithRehearsedOnes() {
+        assertThat(share("--workers 1 --rehearse 2,4")).as(err.toString()).isZero();
+        assertThat(out.toString()).contains("2, computed", "4, computed", "efficiency");
+        assertThat(share("--rehearse 2")).isEqualTo(2);
+        assertThat(err.toString()).contains("--rehearse needs --workers");
+        assertThat(share("--workers 1 --rehearse 1")).isEqualTo(2);
+        assertThat(err.toString()).contains("--rehearse", "2", "64");
+    }
+
+    private int share(String crews) {
+        String scene = "bench --moving rain-boxes-10 --steps 3 --runs 1 ";
+        return Main.run(new PrintWriter(out), new PrintWriter(err), (scene + crews).split(" "));
+    }
+
     /**
      * Each storey stands with two legs and carries a beam on them, two contacts each, and the ball
      * lies on the upper beam: 9 that carry, which nothing else comes near.

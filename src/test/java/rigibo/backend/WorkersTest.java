@@ -200,6 +200,27 @@ class WorkersTest {
         return pool;
     }
 
+    /** Workers without threads do the same work in another order. */
+    @Test
+    void aRehearsalEndsInTheSameBitsAndTellsWhatItSpares() {
+        int sparing = 0;
+        try (Pool one = crowd(1);
+                Pool several = crowd(1)) {
+            several.rehearse(3);
+            assertThat(several.workers()).isEqualTo(3);
+            for (int step = 0; step < 240; step++) {
+                StepReport found = stepAlike(one, several, step);
+                assertThat(one.report().spared()).isZero();
+                assertThat(found.spared()).isNotNegative();
+                sparing += found.splits() > 0 && found.spared() > 0 ? 1 : 0;
+            }
+            several.workers(3);
+            stepAlike(one, several, 240);
+            assertThat(several.report().spared()).isZero();
+        }
+        assertThat(sparing).as("steps that spare time").isGreaterThan(150);
+    }
+
     /** The number is no part of a pool's state: it may change from step to step. */
     @Test
     void workersComeAndGo() {
@@ -297,6 +318,10 @@ class WorkersTest {
                 .isThrownBy(() -> pool.workers(workers))
                 .withMessageContaining("Pool.workers")
                 .withMessageContaining("64");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> pool.rehearse(workers))
+                .withMessageContaining("Pool.rehearse")
+                .withMessageContaining("64");
         assertThat(pool.workers()).isOne();
     }
 
@@ -307,5 +332,7 @@ class WorkersTest {
         pool.step(DT);
         assertThatIllegalStateException()
                 .isThrownBy(() -> pool.forEachContact(contact -> pool.workers(2)));
+        assertThatIllegalStateException()
+                .isThrownBy(() -> pool.forEachContact(contact -> pool.rehearse(2)));
     }
 }

@@ -8,8 +8,9 @@ import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * A team of the thread that calls {@link #split} and daemon threads of its own. Pieces follow each other within microseconds in a step, so that
- * threads without work spin for a while before they park, and nobody waits for one that is parked.
+ * A team of the thread that calls {@link #split} and daemon threads of its own. Pieces follow each
+ * other within microseconds in a step, so that threads without work spin for a while before they
+ * park, and nobody waits for one that is parked.
  */
 public final class ThreadTeam implements Team {
 
