@@ -1,6 +1,7 @@
 package rigibo.backend.contact.joint;
 
 import java.util.Arrays;
+import java.util.BitSet;
 
 /**
  * The rows with bounds in an island whose equations are eliminated: limits, motors, and springs
@@ -24,6 +25,7 @@ final class BoundedRows {
     private final PackedJoints packed;
     private final EquationList equations;
     private final Responses responses;
+    private final RowMargins margins;
 
     /** All rows with bounds; and by row whether it holds. */
     private int[] bounded = new int[64];
@@ -34,6 +36,17 @@ final class BoundedRows {
 
     /** Share of the last kick's impulses with which joints start. */
     private double share;
+
+    /** Rows that passes may change: those that do not hold and may carry anything. */
+    private final BitSet open = new BitSet();
+
+    /** How many do not hold. */
+    private int released;
+
+    /** Rows that the last pass changed, and rows with a search direction. */
+    private final BitSet changed = new BitSet();
+
+    private final BitSet led = new BitSet();
 
     /** By row: the change of its impulse in the last pass, and the search direction of passes. */
     private double[] step = new double[64];
@@ -51,8 +64,8 @@ final class BoundedRows {
     private long solves;
     private long asked;
 
-    /** By row: whether the last pass that asked it left it as it was. */
-    private boolean[] isLeft = new boolean[64];
+    /** The row that sank in when it was asked last. */
+    private int sunk;
 
     BoundedRows(
             NeutralRows rows,
@@ -62,6 +75,7 @@ final class BoundedRows {
             EquationList equations,
             Responses responses) {
         this.responses = responses;
+        margins = new RowMargins(rows, responses);
         this.rows = rows;
         this.joints = joints;
         this.contacts = contacts;
@@ -69,7 +83,7 @@ final class BoundedRows {
         this.equations = equations;
     }
 
-    /** Rows asked for what they lack since passes began. */
+    /** Rows that passes went over since they began. */
     long asked() {
         return asked;
     }
@@ -153,7 +167,6 @@ final class BoundedRows {
         if (step.length < rows.count) {
             step = new double[rows.bodies.length];
             way = new double[rows.bodies.length];
-            isLeft = new boolean[rows.bodies.length];
         }
         for (int row = jointRows; row < rows.count; row++) {
             bounded[count++] = row;
@@ -183,30 +196,55 @@ final class BoundedRows {
      */
     void accelerate() {
         double share = square < squareBefore ? square / squareBefore : 0;
-        for (int i = 0; i < count; i++) {
-            int row = bounded[i];
+        led.or(changed);
+        for (int row = led.nextSetBit(0); row >= 0; row = led.nextSetBit(row + 1)) {
             double further = share * way[row];
-            way[row] = further + step[row];
-            if (further != 0 && !holds[row]) {
-                double change = clamp(row, rows.impulse[row] + further) - rows.impulse[row];
-                if (change != 0) {
-                    rows.impulse[row] += change;
-                    responses.push(row, change);
-                }
+            way[row] = further + (changed.get(row) ? step[row] : 0);
+            if (further != 0) {
+                lead(row, further);
             }
         }
         squareBefore = square;
     }
 
+    private void lead(int row, double further) {
+        double change = clamp(row, rows.impulse[row] + further) - rows.impulse[row];
+        if (change != 0) {
+            rows.impulse[row] += change;
+            responses.push(row, change);
+            margins.forget(row);
+        }
+    }
+
     /** Begins with passes. */
     void beginPasses() {
         asked = 0;
+        sunk = jointRows;
         beginWay();
+    }
+
+    /** Begins with passes from velocities and bounds that were just taken. */
+    void beginAnew() {
+        margins.begin();
+        changed.clear();
+        open.clear();
+        released = 0;
+        for (int i = 0; i < count; i++) {
+            int row = bounded[i];
+            boolean isFixed =
+                    rows.lower[row] == rows.upper[row] && rows.impulse[row] == rows.lower[row];
+            open.set(row, !holds[row] && !isFixed);
+            released += holds[row] ? 0 : 1;
+        }
     }
 
     /** Restarts the extrapolation, since other rows hold. */
     void beginWay() {
         squareBefore = 0;
+        for (int row = led.nextSetBit(0); row >= 0; row = led.nextSetBit(row + 1)) {
+            way[row] = 0;
+        }
+        led.clear();
     }
 
     /**
@@ -216,26 +254,40 @@ final class BoundedRows {
      * @return the largest one that was made, m/s
      */
     double pass(boolean isBack, boolean areAll, double least) {
-        double most = 0;
         square = 0;
-        for (int i = 0; i < count; i++) {
-            int row = bounded[isBack ? count - 1 - i : i];
-            step[row] = 0;
-            if (!holds[row] && (areAll || !isLeft[row])) {
-                double change = change(row, least);
-                isLeft[row] = change == 0;
-                if (change != 0) {
-                    most = Math.max(most, make(row, change));
-                }
-            }
+        BitSet present = areAll ? open : changed;
+        asked += areAll ? released : changed.cardinality();
+        return isBack ? passBack(present, least) : passForth(present, least);
+    }
+
+    private double passForth(BitSet present, double least) {
+        double most = 0;
+        for (int row = present.nextSetBit(0); row >= 0; row = present.nextSetBit(row + 1)) {
+            most = Math.max(most, ask(row, least));
         }
         return most;
     }
 
+    private double passBack(BitSet present, double least) {
+        double most = 0;
+        int last = present.length() - 1;
+        for (int row = last; row >= 0; row = present.previousSetBit(row - 1)) {
+            most = Math.max(most, ask(row, least));
+        }
+        return most;
+    }
+
+    /** Changes a row's impulse if that is worth it; returns by how much its speed, m/s. */
+    private double ask(int row, double least) {
+        double change = margins.isIdle(row) ? 0 : change(row, least);
+        changed.set(row, change != 0);
+        return change == 0 ? 0 : make(row, change);
+    }
+
     /** By how much a row's impulse is to change; 0 if that is not worth it. */
     private double change(int row, double least) {
-        asked++;
         double residual = responses.residual(row);
+        margins.note(row, residual);
         double impulse = rows.impulse[row];
         boolean mayFall = residual > 0 && impulse > rows.lower[row];
         boolean mayRise = residual < 0 && impulse < rows.upper[row];
@@ -262,12 +314,19 @@ final class BoundedRows {
 
     /** Whether a contact's point sinks in by more than a number of widths in h seconds. */
     boolean areSinking(double h, double most) {
-        boolean isSinking = false;
+        // What sank in before the last pass mostly does so after it.
+        boolean isSinking = sunk < rows.count && isSinking(sunk, h, most);
         for (int row = jointRows; !isSinking && row < rows.count; row++) {
-            isSinking =
-                    rows.isPoint(row) && -responses.residual(row) * h > most * contacts.width(row);
+            isSinking = isSinking(row, h, most);
+            sunk = row;
         }
         return isSinking;
+    }
+
+    private boolean isSinking(int row, double h, double most) {
+        return rows.isPoint(row)
+                && !margins.isIdle(row)
+                && -responses.residual(row) * h > most * contacts.width(row);
     }
 
     /**

@@ -75,7 +75,7 @@ final class CrowdEquations {
 
     /** Whether a group lacks more than counts; {@link #settle} gives it what it lacks. */
     boolean areOpen(int group) {
-        return ask(group) > left * strongest(group);
+        return isBeyond(group, ask(group), left);
     }
 
     /** Gives a group what it was asked for last, or finds all of its impulses anew. */
@@ -86,21 +86,23 @@ final class CrowdEquations {
         }
         pushAnswers(group);
         int refinements = left < settled ? REFINEMENTS : 1;
-        for (int i = 0; i < refinements && ask(group) > SOLVED * left * strongest(group); i++) {
+        for (int i = 0; i < refinements && isBeyond(group, ask(group), SOLVED * left); i++) {
             pushAnswers(group);
         }
     }
 
-    /** The strongest speed that impulses of a group's equations give their rows, m/s. */
-    private double strongest(int group) {
-        double most = 0;
-        for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
+    /**
+     * Whether a speed (m/s) is beyond a share of all speeds that impulses of a group's equations
+     * give their rows.
+     */
+    private boolean isBeyond(int group, double speed, double share) {
+        boolean isBeyond = speed > 0;
+        int end = tree.equationStart[group + 1];
+        for (int i = tree.equationStart[group]; isBeyond && i < end; i++) {
             int row = equations.row[tree.equationOf[i]];
-            if (row != EquationList.NONE) {
-                most = Math.max(most, rows.ownSpeed(row));
-            }
+            isBeyond = row == EquationList.NONE || speed > share * rows.ownSpeed(row);
         }
-        return most;
+        return isBeyond;
     }
 
     private void takeBack(int group) {

@@ -228,6 +228,7 @@ final class CrowdSolver {
         for (int pass = 0; isOpen && isWorth(pass); pass += passes) {
             responses.take();
             rows.bound();
+            bounded.beginAnew();
             isOpen = !pass(pass, passes, quiet, h);
             settle(false);
             if (mayExchange && pass + passes < mostPasses) {

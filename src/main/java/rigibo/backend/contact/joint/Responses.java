@@ -50,6 +50,20 @@ final class Responses {
 
     private int[] groupPlace = new int[17];
 
+    /** By place of a body: how far its outline reaches, m; 1 where that says nothing. */
+    private double[] reach = new double[16];
+
+    /** By row: the blocks of velocities that it is between, each one group or one body. */
+    private int[] blockA = new int[64];
+
+    private int[] blockB = new int[64];
+
+    /** By row how {@link #steepest} it is, 0 where that is not known yet. */
+    private double[] steep = new double[64];
+
+    /** By block: the sum of the largest changes of its velocities since they were taken, m/s. */
+    private double[] moved = new double[17];
+
     /** By row whether its responses are known, and J·R, 1/kg. */
     private boolean[] isKnown = new boolean[64];
 
@@ -60,6 +74,9 @@ final class Responses {
 
     private int[] target = new int[64 * SIDES];
     private int[] length = new int[64 * SIDES];
+
+    /** By row and side: the largest of these responses, of a turning at its body's reach, 1/kg. */
+    private double[] largest = new double[64 * SIDES];
 
     private double[] response = new double[1024];
     private int used;
@@ -81,14 +98,21 @@ final class Responses {
             start = new int[rows.bodies.length * SIDES];
             target = new int[rows.bodies.length * SIDES];
             length = new int[rows.bodies.length * SIDES];
+            largest = new double[rows.bodies.length * SIDES];
+            blockA = new int[rows.bodies.length];
+            blockB = new int[rows.bodies.length];
+            steep = new double[rows.bodies.length];
         }
         if (place.length < motions.count) {
             place = new int[motions.slots.length];
             velocity = new double[3 * motions.slots.length];
             kept = new double[3 * motions.slots.length];
             groupPlace = new int[motions.slots.length + 1];
+            reach = new double[motions.slots.length];
+            moved = new double[motions.slots.length + 1];
         }
         Arrays.fill(isKnown, 0, rows.count, false);
+        Arrays.fill(steep, 0, rows.count, 0);
         used = 0;
         int end = 0;
         for (int group = 0; group < tree.groups; group++) {
@@ -107,11 +131,70 @@ final class Responses {
                 end += 3;
             }
         }
+        for (int entry = 1; entry < motions.count; entry++) {
+            double far = motions.reach[entry];
+            reach[place[entry] / 3] = far > 0 && far < Double.POSITIVE_INFINITY ? far : 1;
+        }
+        for (int row = 0; row < rows.count; row++) {
+            findBlocks(row);
+        }
         take();
+    }
+
+    private void findBlocks(int row) {
+        int last = row * NeutralRows.BODIES + rows.bodies[row] - 1;
+        int none = moved.length - 1;
+        blockA[row] = rows.bodies[row] > 0 ? block(rows.body[row * NeutralRows.BODIES]) : none;
+        blockB[row] = rows.bodies[row] > 1 ? block(rows.body[last]) : none;
+    }
+
+    /** The block of velocities of a body at an offset in the motions. */
+    private int block(int offset) {
+        int entry = offset / Motions.STRIDE;
+        int group = smallGroupOf(entry);
+        return (group == NONE ? place[entry] : groupPlace[group]) / 3;
+    }
+
+    /** The group of joined bodies that answers as one, or none. */
+    private int smallGroupOf(int entry) {
+        int body = equations.bodyOfEntry(entry);
+        return body == NONE || isLarge(tree.groupOf[body]) ? NONE : tree.groupOf[body];
+    }
+
+    /**
+     * The sum of the largest changes of velocities in both blocks of a row since they were taken,
+     * m/s. A row's speed has changed by no more than this, times how {@link #steepest} it is.
+     */
+    double moved(int row) {
+        return moved[blockA[row]] + moved[blockB[row]];
+    }
+
+    /**
+     * How much a row's speed changes at most if both of its bodies change theirs by 1 m/s, also at
+     * their outlines by turning; infinite for rows of more than two bodies.
+     */
+    double steepest(int row) {
+        if (steep[row] == 0) {
+            steep[row] = steepness(row);
+        }
+        return steep[row];
+    }
+
+    private double steepness(int row) {
+        double most = rows.bodies[row] > 2 ? Double.POSITIVE_INFINITY : 0;
+        for (int k = 0; k < rows.bodies[row]; k++) {
+            int at = row * NeutralRows.DERIVATIVES + 3 * k;
+            int v = place[rows.body[row * NeutralRows.BODIES + k] / Motions.STRIDE];
+            double moves = Math.abs(rows.derivative[at]) + Math.abs(rows.derivative[at + 1]);
+            double turns = Math.abs(rows.derivative[at + 2]) / reach[v / 3];
+            most = Math.max(most, moves + turns);
+        }
+        return most;
     }
 
     /** Takes the velocities of the motions. */
     void take() {
+        Arrays.fill(moved, 0);
         for (int entry = 1; entry < motions.count; entry++) {
             System.arraycopy(
                     motions.data, entry * Motions.STRIDE + Motions.VX, velocity, place[entry], 3);
@@ -257,6 +340,7 @@ final class Responses {
             int from = start[side];
             int to = target[side];
             int count = length[side];
+            moved[to / 3] += Math.abs(change) * largest[side];
             for (int i = 0; i < count; i++) {
                 v[to + i] += change * r[from + i];
             }
@@ -268,8 +352,7 @@ final class Responses {
         Arrays.fill(length, side, side + SIDES, 0);
         for (int k = 0; k < rows.bodies[row]; k++) {
             int entry = rows.body[row * NeutralRows.BODIES + k] / Motions.STRIDE;
-            int body = equations.bodyOfEntry(entry);
-            int group = body == NONE || isLarge(tree.groupOf[body]) ? NONE : tree.groupOf[body];
+            int group = smallGroupOf(entry);
             int to = group == NONE ? place[entry] : groupPlace[group];
             if (!isListed(row, side, to)) {
                 int count = group == NONE ? 3 : groupPlace[group + 1] - to;
@@ -280,6 +363,7 @@ final class Responses {
                 Arrays.fill(response, used, used + count, 0);
                 used += count;
                 respond(row, side, group);
+                largest[side] = largest(side);
                 side++;
             }
         }
@@ -299,6 +383,17 @@ final class Responses {
         }
         own[row] = Math.max(sum, LEAST * rows.response[row]);
         isKnown[row] = true;
+    }
+
+    private double largest(int side) {
+        double most = 0;
+        for (int i = 0; i < length[side]; i += 3) {
+            int r = start[side] + i;
+            double moves = Math.max(Math.abs(response[r]), Math.abs(response[r + 1]));
+            double turns = reach[(target[side] + i) / 3] * Math.abs(response[r + 2]);
+            most = Math.max(most, Math.max(moves, turns));
+        }
+        return most;
     }
 
     private boolean isListed(int row, int end, int to) {
