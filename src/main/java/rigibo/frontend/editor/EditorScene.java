@@ -3,6 +3,7 @@ package rigibo.frontend.editor;
 import rigibo.frontend.editor.desk.Finding;
 import rigibo.frontend.editor.draft.Decimal;
 import rigibo.frontend.editor.draft.Draft;
+import rigibo.frontend.editor.draft.Grid;
 import rigibo.frontend.editor.draft.Point;
 import rigibo.frontend.editor.file.DraftFile;
 import rigibo.frontend.editor.pane.Craft;
@@ -31,6 +32,9 @@ import java.util.Set;
 final class EditorScene implements Scene {
 
     static final String NAME = "editor";
+
+    private static final String GRID = "grid";
+    private static final String OFF = "off";
 
     private static final double ZOOM = 1.15;
 
@@ -76,9 +80,20 @@ final class EditorScene implements Scene {
         return "RigiBo – " + shop.words().of("editor.window");
     }
 
+    /** A draft is longer than an address may be, and goes as a code. */
     @Override
     public Link link() {
-        return Link.to(NAME);
+        Link link = Link.to(NAME);
+        return shop.desk().grid() == Grid.ON ? link : link.with(GRID, OFF);
+    }
+
+    @Override
+    public boolean follow(Link link) {
+        boolean isOff = OFF.equals(link.choices().get(GRID));
+        if (isOff) {
+            shop.desk().switchGrid();
+        }
+        return link.choices().size() == (isOff ? 1 : 0);
     }
 
     /** That of the draft, since it is the level's. */

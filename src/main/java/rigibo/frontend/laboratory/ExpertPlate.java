@@ -25,16 +25,27 @@ final class ExpertPlate {
     private static final int COARSEST = -3;
 
     private final Words words;
+    private final List<LinkedHalf> halves;
     private final List<Panel> panels;
 
     /** Sliders on a plate, for the world on the left and for the one on the right. */
     ExpertPlate(Words words, Plate plate, Half left, Half right) {
         this.words = words;
         double width = (plate.width() - GAP) / 2;
+        halves =
+                List.of(
+                        new LinkedHalf("left", left, sliders(left)),
+                        new LinkedHalf("right", right, sliders(right)));
         panels =
                 List.of(
-                        new Panel(plate.x(), plate.y(), width, sliders(left)),
-                        new Panel(plate.right() - width, plate.y(), width, sliders(right)));
+                        new Panel(plate.x(), plate.y(), width, halves.get(0).sliders()),
+                        new Panel(
+                                plate.right() - width, plate.y(), width, halves.get(1).sliders()));
+    }
+
+    /** The accuracies of the two worlds, as links carry them. */
+    List<LinkedHalf> halves() {
+        return halves;
     }
 
     private List<Widget> sliders(Half half) {

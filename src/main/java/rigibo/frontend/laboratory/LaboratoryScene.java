@@ -29,9 +29,12 @@ import java.util.stream.Stream;
  */
 final class LaboratoryScene implements Scene {
 
-    /** A line of what is said of both halves in a hand, px. */
     static final String NAME = "laboratory";
 
+    private static final String EXPERIMENT = "experiment";
+    private static final String GRAPH = "graph";
+
+    /** A line of what is said of both halves in a hand, px. */
     private static final double LINE = 21;
 
     /** What the buttons below open or do, after one for each quantity. */
@@ -65,6 +68,10 @@ final class LaboratoryScene implements Scene {
     private boolean isInHand;
     private final GraphPlate plate;
     private final ExpertPlate expert;
+
+    /** What a link to the laboratory as it begins would hold. */
+    private final Link first;
+
     private Room room;
     private Divergence divergence;
     private Log log;
@@ -94,11 +101,48 @@ final class LaboratoryScene implements Scene {
         plate = new GraphPlate(words);
         expert = new ExpertPlate(words, LaboratoryPlaces.ON_A_DESK.graph(), left, right);
         open(0);
+        first = whole();
+    }
+
+    /** It holds everything or nothing, so that a change that was taken back is told. */
+    @Override
+    public Link link() {
+        Link whole = whole();
+        return whole.equals(first) ? Link.to(NAME) : whole;
+    }
+
+    private Link whole() {
+        Link link = Link.to(NAME).with(EXPERIMENT, experiments.get(chosen).name());
+        for (LinkedHalf half : expert.halves()) {
+            link = half.in(link);
+        }
+        return link.with(GRAPH, linked(drawer));
     }
 
     @Override
-    public Link link() {
-        return Link.to(NAME);
+    public boolean follow(Link link) {
+        int taken = 0;
+        for (int i = 0; i < experiments.size(); i++) {
+            if (experiments.get(i).name().equals(link.choices().get(EXPERIMENT))) {
+                open(i);
+                taken++;
+            }
+        }
+        for (LinkedHalf half : expert.halves()) {
+            taken += half.follow(link);
+        }
+        for (int i = 0; i <= EXPERT; i++) {
+            if (linked(i).equals(link.choices().get(GRAPH))) {
+                drawer = i;
+                taken++;
+            }
+        }
+        return taken == link.choices().size();
+    }
+
+    /** The name in links of what is graphed, or of the sliders. */
+    private static String linked(int drawer) {
+        return drawer == EXPERT ? "expert" : Quantity.values()[drawer].linked();
     }
 
     private String command(String name) {

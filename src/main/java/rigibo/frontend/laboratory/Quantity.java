@@ -26,9 +26,14 @@ enum Quantity {
         column = unit.isEmpty() ? name : name + "_" + unit.replace("%", "percent");
     }
 
+    /** Its name in links. */
+    String linked() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
     /** Key of its name among the words of the laboratory. */
     String key() {
-        return "laboratory.graph." + name().toLowerCase(Locale.ROOT);
+        return "laboratory.graph." + linked();
     }
 
     /** Whether it is one number for both worlds. */

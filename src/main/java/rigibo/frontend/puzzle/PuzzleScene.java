@@ -11,6 +11,7 @@ import rigibo.frontend.puzzle.record.Tally;
 import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
+import rigibo.frontend.puzzle.session.Pace;
 import rigibo.frontend.puzzle.session.Session;
 import rigibo.frontend.puzzle.show.Refusal;
 import rigibo.frontend.puzzle.show.Table;
@@ -37,6 +38,9 @@ import java.util.Set;
 
 /** A level in play: passes the player's input to the play and to the panels around it. */
 public final class PuzzleScene implements Scene {
+
+    /** Its name in links. */
+    private static final String PACE = "pace";
 
     private final Director director;
     private final Level level;
@@ -111,9 +115,22 @@ public final class PuzzleScene implements Scene {
         return "RigiBo – " + level.title().in(director.words().locale());
     }
 
+    /** Levels have one accuracy, which their solutions are proved at; links carry how fast. */
     @Override
     public Link link() {
-        return Levels.isOfTheGame(level) ? Link.to(level.id()) : Link.MENU;
+        if (!Levels.isOfTheGame(level)) {
+            return Link.MENU;
+        }
+        Link link = Link.to(level.id());
+        Pace pace = session.pace();
+        return pace == Pace.FULL ? link : link.with(PACE, pace.linked());
+    }
+
+    @Override
+    public boolean follow(Link link) {
+        Optional<Pace> pace = Pace.ofLinked(link.choices().getOrDefault(PACE, ""));
+        pace.ifPresent(session::pace);
+        return link.choices().size() == (pace.isPresent() ? 1 : 0);
     }
 
     @Override

@@ -41,7 +41,13 @@ class LinksTest {
                 "moving-lift?accuracy=exact",
                 "friction?accuracy=draft&ghost=on",
                 "friction?ramp=40&speed=2.5&mass=7",
-                "pendulum?accuracy=fine&what=2&amplitude=90&length=1.2&ratio=0"
+                "pendulum?accuracy=fine&what=2&amplitude=90&length=1.2&ratio=0",
+                "laboratory?experiment=stack&left=fine&right=exact&graph=energy",
+                "laboratory?experiment=billiard&left=draft&left-substeps=12&left-iterations=3"
+                        + "&left-tolerance=-6&left-impacts=32&right=game&graph=expert",
+                "two-storeys?pace=half",
+                "crossing?pace=quarter",
+                "editor?grid=off"
             })
     void whatIsChosenIsThereAgain(String link) {
         Scene scene = open(link);
@@ -69,6 +75,27 @@ class LinksTest {
         Scene scene = open("friction?mass=7&" + choice);
         assertThat(director.said).containsExactly(director.words().of("link.partly"));
         assertThat(scene.link().choices()).containsEntry("mass", "7").containsEntry("ramp", "0");
+        scene.closed();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "laboratory?experiment=falling",
+                "laboratory?left=perfect",
+                "laboratory?right-substeps=65",
+                "laboratory?right-tolerance=fine",
+                "laboratory?graph=beauty",
+                "two-storeys?pace=double",
+                "two-storeys?accuracy=exact",
+                "editor?grid=7",
+                "editor?accuracy=fine",
+                "gallery?nothing=1"
+            })
+    void whatASceneDoesNotHaveIsToldAndTheSceneIsAsItBegins(String link) {
+        Scene scene = open(link);
+        assertThat(director.said).containsExactly(director.words().of("link.partly"));
+        assertThat(scene.link()).isEqualTo(Link.to(Link.of(link).scene()));
         scene.closed();
     }
 

@@ -86,6 +86,7 @@ public final class PageDisplay implements Director {
     public void run() {
         open(linked());
         address.onEntered(() -> show(linked()));
+        tellPace(clock::pace);
         Window.requestAnimationFrame(this::picture);
     }
 
@@ -240,9 +241,10 @@ public final class PageDisplay implements Director {
         mirror.tell(told);
     }
 
-    /** The browser keeps no more of what the player does. */
+    /** The browser keeps no more of what the player does: in short now, at length in the menu. */
     public void notKept() {
         tell(words.of("save.page"));
+        say(words.of("toast.not-kept"));
     }
 
     @Override
@@ -314,6 +316,15 @@ public final class PageDisplay implements Director {
     /** By this, screen readers pronounce what is said. */
     @JSBody(params = "tag", script = "document.documentElement.lang = tag;")
     private static native void language(String tag);
+
+    /** Tells whoever measures the page at which share of real time the world runs. */
+    @JSFunctor
+    interface Pace extends JSObject {
+        double share();
+    }
+
+    @JSBody(params = "pace", script = "window.rigiboPace = pace;")
+    private static native void tellPace(Pace pace);
 
     /** Takes a text from the browser. */
     @JSFunctor

@@ -104,6 +104,7 @@ final class Browser implements PageReader {
 
         @Override
         public void close() {
+            process.descendants().forEach(ProcessHandle::destroy);
             process.destroy();
         }
     }

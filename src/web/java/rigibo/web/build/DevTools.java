@@ -5,24 +5,18 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
-import java.net.http.WebSocket;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CompletionStage;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** A page in a running browser, driven by Chromium's DevTools protocol. */
-final class DevTools {
+final class DevTools implements Page {
 
     private static final Pattern SOCKET = Pattern.compile("\"webSocketDebuggerUrl\": *\"([^\"]+)");
-    private static final Pattern NUMBER = Pattern.compile("^\\{\"id\":(\\d+)");
     private static final Pattern VALUE =
             Pattern.compile("\"value\":(\"((?:[^\"\\\\]|\\\\.)*)\"|[^,}]+)");
     private static final Pattern DATA = Pattern.compile("\"data\":\"([^\"]*)\"");
@@ -37,11 +31,9 @@ final class DevTools {
      */
     private static final double BETWEEN_TOUCHES = 0.02;
 
-    private final BlockingQueue<String> answers = new LinkedBlockingQueue<>();
     private final List<String> requests = new ArrayList<>();
     private final List<String> complaints = new ArrayList<>();
-    private final WebSocket socket;
-    private int count;
+    private final Wire wire;
 
     /** When a finger last did something, s since 1970. */
     private double touched = System.currentTimeMillis() / 1e3;
@@ -59,53 +51,15 @@ final class DevTools {
         if (!found.find()) {
             throw new IOException("the browser opens no page: " + opened);
         }
-        socket =
-                client.newWebSocketBuilder()
-                        .buildAsync(URI.create(found.group(1)), new Listener())
-                        .join();
+        wire = new Wire(found.group(1), this::note);
         for (String domain : List.of("Page", "Runtime", "Network", "Log")) {
             send(domain + ".enable", "");
         }
     }
 
-    /** Puts the parts of messages together. */
-    private final class Listener implements WebSocket.Listener {
-
-        private final StringBuilder message = new StringBuilder();
-
-        @Override
-        public CompletionStage<?> onText(WebSocket from, CharSequence part, boolean isLast) {
-            message.append(part);
-            if (isLast) {
-                answers.add(message.toString());
-                message.setLength(0);
-            }
-            from.request(1);
-            return null;
-        }
-    }
-
     /** Calls a method with parameters in JSON, without their braces; returns the answer. */
     String send(String method, String parameters) throws IOException, InterruptedException {
-        int number = ++count;
-        socket.sendText(
-                        String.format(
-                                "{\"id\":%d,\"method\":\"%s\",\"params\":{%s}}",
-                                number, method, parameters),
-                        true)
-                .join();
-        while (true) {
-            String told = answers.poll(MOST_SECONDS, TimeUnit.SECONDS);
-            if (told == null) {
-                throw new IOException("the browser does not answer " + method);
-            }
-            Matcher answer = NUMBER.matcher(told);
-            if (!answer.find()) {
-                note(told);
-            } else if (Integer.parseInt(answer.group(1)) == number) {
-                return told;
-            }
-        }
+        return wire.send(method, parameters);
     }
 
     private void note(String event) {
@@ -122,14 +76,43 @@ final class DevTools {
         }
     }
 
-    /** What an expression of JavaScript comes to, as text. */
-    String value(String script) throws IOException, InterruptedException {
+    @Override
+    public void size(int width, int height) throws IOException, InterruptedException {
+        size(width, height, false);
+    }
+
+    /** Makes the page as large as that of a phone that is touched, px. */
+    void phone(int width, int height) throws IOException, InterruptedException {
+        size(width, height, true);
+        send("Emulation.setTouchEmulationEnabled", "\"enabled\":true");
+    }
+
+    private void size(int width, int height, boolean isMobile)
+            throws IOException, InterruptedException {
+        send(
+                "Emulation.setDeviceMetricsOverride",
+                String.format(
+                        "\"width\":%d,\"height\":%d,\"deviceScaleFactor\":1,\"mobile\":%b",
+                        width, height, isMobile));
+    }
+
+    @Override
+    public void begin(String script) throws IOException, InterruptedException {
+        send("Page.addScriptToEvaluateOnNewDocument", "\"source\":" + Wire.quoted(script));
+    }
+
+    @Override
+    public void open(String address) throws IOException, InterruptedException {
+        send("Page.navigate", "\"url\":" + Wire.quoted(address));
+    }
+
+    @Override
+    public String value(String script) throws IOException, InterruptedException {
         String answer =
                 send(
                         "Runtime.evaluate",
-                        "\"awaitPromise\":true,\"returnByValue\":true,\"expression\":\""
-                                + script.replace("\\", "\\\\").replace("\"", "\\\"")
-                                + "\"");
+                        "\"awaitPromise\":true,\"returnByValue\":true,\"expression\":"
+                                + Wire.quoted(script));
         Matcher value = VALUE.matcher(answer);
         if (!value.find()) {
             return answer.contains("\"undefined\"") ? "undefined" : answer;
@@ -138,17 +121,17 @@ final class DevTools {
     }
 
     /** Fingers are down at points of the page, the last of them only now. */
-    void down(Phone.Spot... points) throws IOException, InterruptedException {
+    void down(Spot... points) throws IOException, InterruptedException {
         touch("touchStart", points);
     }
 
     /** Fingers slide to points of the page. */
-    void slide(Phone.Spot... points) throws IOException, InterruptedException {
+    void slide(Spot... points) throws IOException, InterruptedException {
         touch("touchMove", points);
     }
 
     /** A finger slides to a point of the page, and is lifted there. */
-    void lift(Phone.Spot point) throws IOException, InterruptedException {
+    void lift(Spot point) throws IOException, InterruptedException {
         slide(point);
         lift();
     }
@@ -158,7 +141,7 @@ final class DevTools {
         touch("touchEnd");
     }
 
-    private void touch(String kind, Phone.Spot... points) throws IOException, InterruptedException {
+    private void touch(String kind, Spot... points) throws IOException, InterruptedException {
         touched += BETWEEN_TOUCHES;
         List<String> written = new ArrayList<>();
         for (int i = 0; i < points.length; i++) {
@@ -180,8 +163,23 @@ final class DevTools {
                         String.join(",", written)));
     }
 
-    /** The page as a picture, a PNG. */
-    byte[] picture() throws IOException, InterruptedException {
+    @Override
+    public void click(Spot at) throws IOException, InterruptedException {
+        for (String kind : List.of("mouseMoved", "mousePressed", "mouseReleased")) {
+            send(
+                    "Input.dispatchMouseEvent",
+                    String.format(
+                            Locale.ROOT,
+                            "\"type\":\"%s\",\"x\":%.2f,\"y\":%.2f,\"button\":\"left\","
+                                    + "\"clickCount\":1",
+                            kind,
+                            at.x(),
+                            at.y()));
+        }
+    }
+
+    @Override
+    public byte[] picture() throws IOException, InterruptedException {
         Matcher data = DATA.matcher(send("Page.captureScreenshot", "\"format\":\"png\""));
         if (!data.find()) {
             throw new IOException("the browser makes no picture");
@@ -189,19 +187,19 @@ final class DevTools {
         return Base64.getDecoder().decode(data.group(1));
     }
 
-    /** Every address that was asked for. */
-    List<String> requests() {
+    @Override
+    public List<String> requests() {
         return requests;
     }
 
-    /** What the page wrote to the console, and its errors. */
-    List<String> complaints() {
+    @Override
+    public List<String> complaints() {
         return complaints;
     }
 
-    /** Closes the page. */
-    void close() throws IOException, InterruptedException {
+    @Override
+    public void close() throws IOException, InterruptedException {
         send("Page.close", "");
-        socket.abort();
+        wire.close();
     }
 }

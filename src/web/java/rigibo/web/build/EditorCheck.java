@@ -44,7 +44,7 @@ final class EditorCheck {
 
     private final Phone phone;
     private final Words words;
-    private Phone.Spot ball;
+    private Page.Spot ball;
     private double scale;
     private boolean isEnlarged;
 
@@ -63,7 +63,7 @@ final class EditorCheck {
         play();
         save();
         phone.picture("editor-end");
-        boolean isSaved = phone.isKept("levels/", NAME);
+        boolean isSaved = phone.stepped().isKept("levels/", NAME);
         boolean isWon = isWon(phone.page().value("window.copied"));
         System.out.printf(
                 "level made by touch: enlarged %s, saved %s, won %s%n", isEnlarged, isSaved, isWon);
@@ -111,12 +111,12 @@ final class EditorCheck {
     private void look() throws IOException, InterruptedException {
         phone.goUntilTold();
         ball = phone.place(words.of("editor.ball"));
-        Phone.Spot platform = phone.place(words.of("editor.platform"));
+        Page.Spot platform = phone.place(words.of("editor.platform"));
         scale = (platform.x() - ball.x()) / (PLATFORM_X - BALL_X);
     }
 
     /** Where a point of the world, m, is on the page. */
-    private Phone.Spot at(double x, double y) {
+    private Page.Spot at(double x, double y) {
         return ball.plus(scale * (x - BALL_X), scale * (BALL_Y - y));
     }
 

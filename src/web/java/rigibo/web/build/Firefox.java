@@ -3,11 +3,14 @@ package rigibo.web.build;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Firefox on this machine, started without a window and with a profile of its own. It prints no
@@ -18,6 +21,14 @@ final class Firefox implements PageReader {
     private static final List<String> NAMES = List.of("firefox", "firefox-esr");
 
     private static final int MOST_MINUTES = 10;
+
+    /** How long it may take to start. */
+    private static final int MOST_TRIES = 600;
+
+    private static final int TRY_MILLIS = 100;
+
+    /** Where it listens, in the file that it writes once it does. */
+    private static final Pattern PORT = Pattern.compile("\"ws_port\": *(\\d+)");
 
     /** Nothing is asked of any host but ours. */
     private static final String SETTINGS =
@@ -34,6 +45,8 @@ final class Firefox implements PageReader {
             user_pref("network.connectivity-service.enabled", false);
             user_pref("services.settings.server", "http://localhost/");
             user_pref("toolkit.telemetry.enabled", false);
+            user_pref("webgl.force-enabled", true);
+            user_pref("webgl.forbid-software", false);
             """;
 
     private final Path program;
@@ -49,28 +62,50 @@ final class Firefox implements PageReader {
 
     @Override
     public String read(LocalServer server, String page) throws IOException, InterruptedException {
-        Path folder = Files.createTempDirectory("rigibo-firefox");
-        Path profile = Files.createDirectories(folder.resolve("profile"));
-        Files.writeString(profile.resolve("user.js"), SETTINGS);
-        Process process =
-                new ProcessBuilder(
-                                program.toString(),
-                                "--headless",
-                                "--no-remote",
-                                "--profile",
-                                profile.toString(),
-                                server.address(page))
-                        .redirectErrorStream(true)
-                        .redirectOutput(folder.resolve("complaints").toFile())
-                        .start();
+        Process process = start(profile(), server.address(page));
         try {
             return server.said().get(MOST_MINUTES, TimeUnit.MINUTES);
         } catch (ExecutionException | TimeoutException silent) {
             throw new IOException(program + " said nothing within " + MOST_MINUTES + " minutes");
         } finally {
-            process.descendants().forEach(ProcessHandle::destroy);
-            process.destroy();
+            new Browser.Window(process, 0).close();
         }
+    }
+
+    /** Opens a window that a program drives. */
+    Browser.Window open() throws IOException, InterruptedException {
+        Path profile = profile();
+        Process process = start(profile, "--remote-debugging-port=0");
+        Path told = profile.resolve("WebDriverBiDiServer.json");
+        for (int tries = 0; tries < MOST_TRIES && process.isAlive(); tries++) {
+            Matcher port = PORT.matcher(Files.exists(told) ? Files.readString(told) : "");
+            if (port.find()) {
+                return new Browser.Window(process, Integer.parseInt(port.group(1)));
+            }
+            Thread.sleep(TRY_MILLIS);
+        }
+        process.destroyForcibly();
+        throw new IOException("Firefox does not listen");
+    }
+
+    private static Path profile() throws IOException {
+        Path folder = Files.createTempDirectory("rigibo-firefox");
+        Path profile = Files.createDirectories(folder.resolve("profile"));
+        Files.writeString(profile.resolve("user.js"), SETTINGS);
+        return profile;
+    }
+
+    private Process start(Path profile, String last) throws IOException {
+        List<String> words = new ArrayList<>(List.of(program.toString()));
+        // Firefox 153 has no WebGL without a display.
+        if (System.getenv("DISPLAY") == null) {
+            words.add("--headless");
+        }
+        words.addAll(List.of("--no-remote", "--profile", profile.toString(), last));
+        return new ProcessBuilder(words)
+                .redirectErrorStream(true)
+                .redirectOutput(profile.resolveSibling("complaints").toFile())
+                .start();
     }
 
     @Override

@@ -8,34 +8,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Pages in a browser as large as a phone. Their clock and their pictures are the check's: each
- * picture makes the steps that the check says, however slow the machine is.
- */
+/** Pages in a browser as large as a phone, touched by fingers. */
 final class Phone {
 
     static final int WIDTH = 390;
     static final int HEIGHT = 844;
 
-    /** Most steps that the page makes for a picture. */
-    static final int AT_ONCE = 4;
-
     /** Pictures after which the page has told anew what it shows: 0.1 s, at four steps each. */
     private static final int UNTIL_TOLD = 2;
-
-    /** A page that does not begin for so long is broken. */
-    private static final int MOST_TRIES = 1200;
-
-    private static final int TRY_MILLIS = 50;
-
-    /** A clock that stands still between pictures, half a step off the steps' own times. */
-    private static final String CLOCK =
-            "let now = 1000, next = null; performance.now = () => now; window.requestAnimationFrame"
-                + " = made => { next = made; return 1; }; window.isReady = () => next !== null;"
-                + " window.begin = () => { now += 1000 / 120; made(); }; const made = () => { const"
-                + " call = next; next = null; call(now); }; window.go = steps => { while (steps >"
-                + " 0) { const some = Math.min(steps, 4); steps -= some; now += some * 1000 / 60;"
-                + " made(); } };";
 
     /** Where the control is whose name begins with a text. */
     private static final String PLACE =
@@ -54,6 +34,7 @@ final class Phone {
     private final List<String> requests = new ArrayList<>();
     private final List<String> complaints = new ArrayList<>();
     private DevTools page;
+    private Stepped stepped;
 
     /**
      * A phone that opens pages at an address, and keeps pictures of them in a folder.
@@ -71,15 +52,8 @@ final class Phone {
     private void turn() throws IOException, InterruptedException {
         leave();
         page = new DevTools(port);
-        page.send(
-                "Emulation.setDeviceMetricsOverride",
-                String.format(
-                        "\"width\":%d,\"height\":%d,\"deviceScaleFactor\":1,\"mobile\":true",
-                        WIDTH, HEIGHT));
-        page.send("Emulation.setTouchEmulationEnabled", "\"enabled\":true");
-        page.send(
-                "Page.addScriptToEvaluateOnNewDocument",
-                "\"source\":\"" + CLOCK.replace("\"", "\\\"") + "\"");
+        page.phone(WIDTH, HEIGHT);
+        stepped = new Stepped(page);
     }
 
     /** Closes the page that is open. */
@@ -110,8 +84,23 @@ final class Phone {
 
     /** Opens the page at a scene, and draws the first picture. */
     void open(String scene) throws IOException, InterruptedException {
+        openWith("", scene);
+    }
+
+    /** Opens it where a script has changed what the page finds. */
+    void openWith(String script, String scene) throws IOException, InterruptedException {
         turn();
+        page.begin(script);
         show(scene);
+    }
+
+    /** What the page says in place of the game where a script has changed what it finds. */
+    String problemWith(String script, String found) throws IOException, InterruptedException {
+        leave();
+        page = new DevTools(port);
+        page.begin(script);
+        page.open(address);
+        return page.value(found);
     }
 
     /** Opens it for a player whose system moves little. */
@@ -124,86 +113,53 @@ final class Phone {
     }
 
     private void show(String scene) throws IOException, InterruptedException {
-        page.send("Page.navigate", "\"url\":\"" + address + "#" + scene + "\"");
-        for (int tries = 0; isLoading(); tries++) {
-            if (tries == MOST_TRIES) {
-                throw new IOException("the page does not begin: " + page.complaints());
-            }
-            Thread.sleep(TRY_MILLIS);
-        }
-        page.value("window.begin()");
+        stepped.open(address + "#" + scene);
     }
 
-    private boolean isLoading() throws IOException, InterruptedException {
-        return !page.value("window.isReady && window.isReady() ? 1 : 0").equals("1");
-    }
-
-    /**
-     * Makes so many steps, and a picture after each {@link #AT_ONCE} of them; the browser itself
-     * need not show any but the last one.
-     */
+    /** Makes so many steps. */
     void go(int steps) throws IOException, InterruptedException {
-        page.value("window.go(" + steps + ")");
+        stepped.go(steps);
     }
 
     /** Makes pictures until the page has told what it shows. */
     void goUntilTold() throws IOException, InterruptedException {
-        go(UNTIL_TOLD * AT_ONCE);
+        go(UNTIL_TOLD * Stepped.AT_ONCE);
     }
 
-    /** What screen readers were told. */
-    String said() throws IOException, InterruptedException {
-        return page.value("document.getElementById('said').textContent");
-    }
-
-    /** Whether the page keeps a text of the player's in the browser, under a name with a part. */
-    boolean isKept(String part, String text) throws IOException, InterruptedException {
-        // It keeps what there is as it is left, without waiting for its next look.
-        page.value("dispatchEvent(new Event('pagehide'))");
-        String found =
-                String.format(
-                        "Object.keys(localStorage).filter(name => name.includes('%s') &&"
-                                + " localStorage[name].includes('%s')).length",
-                        part, text);
-        return !page.value(found).equals("0");
+    /** What the page tells and keeps. */
+    Stepped stepped() {
+        return stepped;
     }
 
     /** Where the control is whose name begins so, px of the page. */
-    Spot place(String name) throws IOException, InterruptedException {
+    Page.Spot place(String name) throws IOException, InterruptedException {
         String found = page.value(String.format(PLACE, name));
         if (found.isEmpty()) {
             throw new IOException("there is no " + name + " among " + page.value(NAMES));
         }
         String[] xy = found.split(" ");
-        return new Spot(Double.parseDouble(xy[0]), Double.parseDouble(xy[1]));
-    }
-
-    /** A point of the page, px. */
-    record Spot(double x, double y) {
-
-        Spot plus(double dx, double dy) {
-            return new Spot(x + dx, y + dy);
-        }
+        return new Page.Spot(Double.parseDouble(xy[0]), Double.parseDouble(xy[1]));
     }
 
     /** Touches the control whose name begins so. */
     void tap(String name) throws IOException, InterruptedException {
-        Spot at = place(name);
+        Page.Spot at = place(name);
         page.down(at);
         page.lift(at);
         goUntilTold();
     }
 
     /** Drags a finger from one point to another. */
-    void drag(Spot from, Spot to) throws IOException, InterruptedException {
+    void drag(Page.Spot from, Page.Spot to) throws IOException, InterruptedException {
         page.down(from);
-        page.slide(new Spot((from.x + to.x) / 2, (from.y + to.y) / 2));
+        page.slide(new Page.Spot((from.x() + to.x()) / 2, (from.y() + to.y()) / 2));
         page.lift(to);
         goUntilTold();
     }
 
     /** A finger stays where it is, and a second one slides away from it or towards it. */
-    void pinch(Spot thumb, Spot from, Spot to) throws IOException, InterruptedException {
+    void pinch(Page.Spot thumb, Page.Spot from, Page.Spot to)
+            throws IOException, InterruptedException {
         page.down(thumb);
         page.down(thumb, from);
         page.slide(thumb, to);

@@ -21,14 +21,14 @@ final class ReaderCheck {
 
     /** Whether the page, at the end of a level, has said that it is solved. */
     boolean isVerdictSaid() throws IOException, InterruptedException {
-        String said = phone.said();
+        String said = phone.stepped().said();
         System.out.println("said: " + said);
         return said.contains(words.of("puzzle.won"));
     }
 
     /** Whether the menu's buttons have names and can be pressed, for a player who wants calm. */
     boolean isMenuRead() throws IOException, InterruptedException {
-        phone.openCalmly("menu");
+        phone.openCalmly("");
         DevTools page = phone.page();
         phone.goUntilTold();
         String tree = page.send("Accessibility.getFullAXTree", "");
@@ -40,7 +40,7 @@ final class ReaderCheck {
         phone.goUntilTold();
         phone.goUntilTold();
         String calm = page.value(control("settings.calm") + ".getAttribute('aria-pressed')");
-        String title = phone.said();
+        String title = phone.stepped().said();
         System.out.println("menu read: " + isNamed + ", calm: " + calm + ", said: " + title);
         return isNamed && calm.equals("true") && title.contains(words.of("menu.settings"));
     }

@@ -14,14 +14,11 @@ import java.util.Optional;
 
 /**
  * {@code ./rigibo web}: builds the page; serves it, compares its bits or its times with the JVM's,
- * or plays it by touch.
+ * or plays it as players do.
  */
 final class WebCommand {
 
     private static final int PORT = 8080;
-
-    /** Levels of the first world. */
-    private static final int WORLD = 10;
 
     private WebCommand() {}
 
@@ -29,7 +26,7 @@ final class WebCommand {
         Path folder = Path.of(arguments[0]);
         List<String> typed = Arrays.asList(arguments).subList(1, arguments.length);
         List<String> known =
-                List.of("--serve", "--bits", "--cases", "--times", "--touch", "--touch-one");
+                List.of("--serve", "--bits", "--cases", "--times", "--pace", "--check", "--sample");
         if (typed.size() > 1 || !known.containsAll(typed)) {
             System.err.println(
                     "web takes one of "
@@ -48,8 +45,12 @@ final class WebCommand {
             time(checks(folder));
             return;
         }
-        if (typed.contains("--touch") || typed.contains("--touch-one")) {
-            System.exit(play(folder, typed.contains("--touch") ? WORLD : 1) ? 0 : 1);
+        if (typed.contains("--pace")) {
+            pace(folder);
+            return;
+        }
+        if (typed.contains("--check") || typed.contains("--sample")) {
+            System.exit(play(folder, typed.contains("--check")) ? 0 : 1);
         }
         new PageBuild(folder).build();
         System.out.println(folder + ": any web server can serve it");
@@ -63,8 +64,10 @@ final class WebCommand {
         return folder.resolveSibling(folder.getFileName() + "-checks");
     }
 
-    /** Plays levels by touch in a page that is made anew. */
-    private static boolean play(Path folder, int levels)
+    /**
+     * Plays a page that is made anew: all levels and in Firefox too, or the first of each world.
+     */
+    private static boolean play(Path folder, boolean isWhole)
             throws IOException, InterruptedException, TeaVMToolException {
         Optional<Browser> browser = Browser.find();
         if (browser.isEmpty()) {
@@ -72,7 +75,12 @@ final class WebCommand {
             return true;
         }
         new PageBuild(folder).build();
-        return PhoneCheck.play(browser.get(), folder, levels);
+        PageCheck check = new PageCheck(browser.get(), folder);
+        if (!isWhole) {
+            return check.isSound(PageCheck.firsts());
+        }
+        boolean isSound = check.isSound(PageCheck.levels());
+        return check.isSoundInFirefox(PageCheck.firsts()) && isSound;
     }
 
     private static boolean compare(Path folder)
@@ -120,6 +128,17 @@ final class WebCommand {
         }
         new PageBuild(folder).buildTimes();
         TimesTable.print(browser.get(), folder);
+    }
+
+    private static void pace(Path folder)
+            throws IOException, InterruptedException, TeaVMToolException {
+        Optional<Browser> browser = Browser.find();
+        if (browser.isEmpty()) {
+            tellMissing("Chromium");
+            return;
+        }
+        new PageBuild(folder).build();
+        PaceTable.print(browser.get(), folder);
     }
 
     private static void tellMissing(String browser) {

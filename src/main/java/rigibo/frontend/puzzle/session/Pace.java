@@ -1,5 +1,9 @@
 package rigibo.frontend.puzzle.session;
 
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
 /**
  * The speed of the game, always in whole steps of 1/60 s, so that the outcome does not depend on
  * it.
@@ -17,6 +21,16 @@ public enum Pace {
 
     int framesPerStep() {
         return framesPerStep;
+    }
+
+    /** Its name in links. */
+    public String linked() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** The speed that a link names; none where there is no such. */
+    public static Optional<Pace> ofLinked(String name) {
+        return Arrays.stream(values()).filter(one -> one.linked().equals(name)).findFirst();
     }
 
     public Pace slower() {

@@ -1,0 +1,76 @@
+package rigibo.web.build;
+
+import rigibo.backend.setup.Accuracy;
+import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.replay.Recording;
+import rigibo.frontend.puzzle.rules.Act;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Playback;
+import rigibo.frontend.puzzle.rules.Target;
+import rigibo.frontend.puzzle.show.View;
+import rigibo.frontend.scene.Camera;
+import rigibo.frontend.scene.Layout;
+
+import java.io.IOException;
+
+/** Plays levels by a mouse, in a window on a desk, by their stored solutions. */
+final class MouseCheck {
+
+    static final int WIDTH = 1280;
+    static final int HEIGHT = 800;
+
+    private static final Layout LAYOUT = Layout.of(WIDTH, HEIGHT, 1);
+
+    /** Half a minute without a click loses every level. */
+    private static final int MOST_STEPS = 60 * 60;
+
+    /** Steps after the verdict until it is kept. */
+    private static final int APPLAUSE = 120;
+
+    private final Page page;
+    private final Stepped stepped;
+    private final String address;
+
+    /** Plays in a page that opens an address. */
+    MouseCheck(Page page, String address) throws IOException, InterruptedException {
+        this.page = page;
+        this.address = address;
+        page.size(WIDTH, HEIGHT);
+        stepped = new Stepped(page);
+    }
+
+    /** Opens a level and plays it as its solution says; whether the page kept it as solved. */
+    boolean isSolved(Level level) throws IOException, InterruptedException {
+        // Another part after the # alone would open no new page.
+        page.open("about:blank");
+        stepped.open(address + "#" + level.id());
+        Recording run = Recording.of(level, level.solutions().get(0), Accuracy.GAME, MOST_STEPS);
+        Playback here = new Playback(level, run.replay());
+        // The picture that begins makes the first step.
+        here.step();
+        Camera camera = new View(level).camera();
+        while (here.game().outcome() == Outcome.RUNNING && here.game().steps() < MOST_STEPS) {
+            int due = here.upcoming().map(Act::step).orElse(MOST_STEPS);
+            int ahead = due - here.game().steps();
+            if (ahead <= 0) {
+                page.click(spot(here, camera));
+            }
+            // The act that is due is made by the first of the steps that follow.
+            int steps = Math.max(1, Math.min(ahead, Stepped.AT_ONCE));
+            here.stepTo(here.game().steps() + steps);
+            stepped.go(steps);
+        }
+        stepped.go(APPLAUSE);
+        boolean isKept = stepped.isKept(level.id() + ".best", "");
+        System.out.println(
+                level.id() + (isKept ? " was solved" : " was not solved") + " by clicks");
+        return isKept;
+    }
+
+    /** Where on the page the next target is now. */
+    private static Page.Spot spot(Playback here, Camera camera) {
+        Target next = here.game().target(here.upcoming().orElseThrow().target()).orElseThrow();
+        return new Page.Spot(
+                LAYOUT.windowX(camera.screenX(next.x())), LAYOUT.windowY(camera.screenY(next.y())));
+    }
+}

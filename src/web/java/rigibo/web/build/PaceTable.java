@@ -1,0 +1,84 @@
+package rigibo.web.build;
+
+import rigibo.frontend.puzzle.level.Level;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * How many pictures a second the page makes in Chromium, what its own work for one takes, and
+ * whether the world keeps real time, with all of the processor and with a quarter of it.
+ */
+final class PaceTable {
+
+    /** Time until a scene is warm, and that of which pictures are counted, ms. */
+    private static final int WARMING = 6000;
+
+    private static final int MEASURED = 10_000;
+
+    /** Chromium slows the page down by these. */
+    private static final List<Integer> SLOWER = List.of(1, 4);
+
+    private static final String COUNTING =
+            "const ask = window.requestAnimationFrame.bind(window); window.works = [];"
+                + " window.requestAnimationFrame = made => ask(at => { const begin ="
+                + " performance.now(); made(at); window.works.push(performance.now() - begin); });";
+
+    /** Pictures a second, the median and the 95th percentile of the work, ms, and the pace. */
+    private static final String COUNTED =
+            "new Promise(done => setTimeout(() => { window.works.length = 0; const begin ="
+                + " performance.now(); setTimeout(() => { const count = window.works.length, took ="
+                + " performance.now() - begin; const sorted = window.works.sort((a, b) => a - b);"
+                + " done([1000 * count / took, sorted[count >> 1], sorted[Math.floor(0.95 *"
+                + " count)], 100 * window.rigiboPace()].map(one => one.toFixed(1)).join(' ')); }, "
+                    + MEASURED
+                    + "); }, "
+                    + WARMING
+                    + "))";
+
+    private PaceTable() {}
+
+    /** Measures one scene after the other, and prints the table. */
+    static void print(Browser browser, Path folder) throws IOException, InterruptedException {
+        Level most =
+                PageCheck.levels().stream()
+                        .max(Comparator.comparingInt(level -> level.bodies().size()))
+                        .orElseThrow();
+        System.out.println("| scene | processor | pictures/s | work, p50 | p95 | real time |");
+        System.out.println("|---|---|---|---|---|---|");
+        for (String scene : List.of(most.id(), "flood?count=300")) {
+            for (int slower : SLOWER) {
+                System.out.println(row(browser, folder, scene, slower));
+            }
+        }
+    }
+
+    private static String row(Browser browser, Path folder, String scene, int slower)
+            throws IOException, InterruptedException {
+        try (LocalServer server = new LocalServer(folder, 0);
+                Browser.Window window = browser.open()) {
+            DevTools page = new DevTools(window.port());
+            page.size(MouseCheck.WIDTH, MouseCheck.HEIGHT);
+            page.begin(COUNTING);
+            page.send("Emulation.setCPUThrottlingRate", "\"rate\":" + slower);
+            page.open(server.address("#" + scene));
+            while (!page.value("window.rigiboPace ? 1 : 0").equals("1")) {
+                Thread.sleep(100);
+            }
+            String[] counted = page.value(COUNTED).split(" ");
+            page.close();
+            return String.format(
+                    Locale.ROOT,
+                    "| `%s` | 1/%d | %s | %s ms | %s ms | %s %% |",
+                    scene,
+                    slower,
+                    counted[0],
+                    counted[1],
+                    counted[2],
+                    counted[3]);
+        }
+    }
+}

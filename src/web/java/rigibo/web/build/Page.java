@@ -1,0 +1,43 @@
+package rigibo.web.build;
+
+import java.io.IOException;
+import java.util.List;
+
+/** A page in a browser that a program drives. */
+interface Page {
+
+    /** Makes the page as large as a window, px. */
+    void size(int width, int height) throws IOException, InterruptedException;
+
+    /** Runs a script at the beginning of each document that is opened from now on. */
+    void begin(String script) throws IOException, InterruptedException;
+
+    /** Opens an address. */
+    void open(String address) throws IOException, InterruptedException;
+
+    /** What an expression of JavaScript comes to, as text. */
+    String value(String script) throws IOException, InterruptedException;
+
+    /** The mouse points at a place of the page, and presses its left button there. */
+    void click(Spot at) throws IOException, InterruptedException;
+
+    /** The page as a picture, a PNG. */
+    byte[] picture() throws IOException, InterruptedException;
+
+    /** Every address that was asked for. */
+    List<String> requests();
+
+    /** What the page wrote to the console, and its errors. */
+    List<String> complaints();
+
+    /** Closes the page. */
+    void close() throws IOException, InterruptedException;
+
+    /** A point of the page, px. */
+    record Spot(double x, double y) {
+
+        Spot plus(double dx, double dy) {
+            return new Spot(x + dx, y + dy);
+        }
+    }
+}
