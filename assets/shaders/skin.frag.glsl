@@ -6,7 +6,7 @@ uniform int layer;
 uniform int detailed; // 0: without grain; what tells one skin from another stays
 out vec4 colour;
 
-const int RIGIBO = 0, STONE = 1, IRON = 2, ICE = 3, RUBBER = 4, WOOD = 5, GOAL = 7;
+const int RIGIBO = 0, STONE = 1, IRON = 2, ICE = 3, RUBBER = 4, WOOD = 5, GOAL = 7, EMBER = 8;
 const float TEXELS = 512.0;
 
 float hash(vec2 p) {
@@ -29,14 +29,14 @@ float grain(vec2 cells) {
 }
 
 /**
- * Distance to the nearest of points thrown at random, and to the next, in cells. Only stone and ice
- * ask for it: software OpenGL takes both sides of a branch, but no turns of an empty loop.
+ * Distance to the nearest of points thrown at random, and to the next, in cells. Only stone, ice
+ * and embers ask for it: software OpenGL takes both sides of a branch, but no turns of an empty loop.
  */
 vec2 scattered(float cells) {
     vec2 p = place * cells;
     vec2 i = floor(p);
     vec2 nearest = vec2(9.0);
-    int last = layer == STONE || layer == ICE ? 1 : -2;
+    int last = layer == STONE || layer == ICE || layer == EMBER ? 1 : -2;
     for (int y = -1; y <= last; y++) {
         for (int x = -1; x <= 1; x++) {
             vec2 at = i + vec2(x, y);
@@ -83,6 +83,14 @@ vec3 ice(float crack) {
     return mix(vec3(0.97, 0.995, 1.0), c, smoothstep(0.012, 0.045, crack));
 }
 
+/** Plates of a dark crust; what glows between them is brightest where they are far apart. */
+vec3 ember(float seam) {
+    vec3 crust = vec3(0.245, 0.085, 0.075) * (1.0 + 0.5 * grain(vec2(40.0)) + 0.4 * grain(vec2(120.0)));
+    float heat = 1.0 - smoothstep(0.03, 0.30, seam + 0.10 * grain(vec2(30.0)));
+    vec3 glow = mix(vec3(0.80, 0.13, 0.05), vec3(1.0, 0.72, 0.25), heat * heat);
+    return mix(crust, glow, heat);
+}
+
 vec3 rubber() {
     vec2 cell = fract(place * 20.0) - 0.5;
     float dot_ = clamp((0.24 - length(cell)) * TEXELS / 20.0 + 0.5, 0.0, 1.0);
@@ -107,7 +115,7 @@ vec3 goal() {
 }
 
 vec3 skin() {
-    vec2 far = scattered(layer == STONE ? 60.0 : 9.0);
+    vec2 far = scattered(layer == STONE ? 60.0 : layer == EMBER ? 22.0 : 9.0);
     if (layer == RIGIBO) {
         return rigibo();
     }
@@ -119,6 +127,9 @@ vec3 skin() {
     }
     if (layer == ICE) {
         return ice(far.y - far.x);
+    }
+    if (layer == EMBER) {
+        return ember(far.y - far.x);
     }
     if (layer == RUBBER) {
         return rubber();

@@ -81,7 +81,7 @@ final class SkinBatch {
         return switch (of) {
             case RIGIBO -> 0.075;
             case RUBBER, GOAL -> 0.06;
-            case ICE, IRON -> 0.03;
+            case ICE, IRON, EMBER -> 0.03;
             case STONE, WOOD, BALL -> 0.02;
         };
     }

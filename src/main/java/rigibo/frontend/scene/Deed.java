@@ -15,5 +15,7 @@ public enum Deed {
     /** A fuse was lit. */
     FUSE,
     /** A bomb blew up. */
-    BLAST
+    BLAST,
+    /** A fire door begins to melt. */
+    MELT
 }

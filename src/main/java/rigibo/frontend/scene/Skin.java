@@ -16,7 +16,9 @@ public enum Skin {
     /** Striped, so that its rotation shows. */
     BALL(Color.BALL),
     /** Chequered cloth: where a ball is to rest. */
-    GOAL(Color.GOAL);
+    GOAL(Color.GOAL),
+    /** A dark crust over what glows: a fire door. */
+    EMBER(Color.EMBER);
 
     /** Its plain colour. */
     public final Color color;

@@ -26,6 +26,12 @@ enum Signal {
     FUSE(0.5, new Tone(0, 5200, 3400, 0.6, 0.02), new Tone(0.04, 4300, 6100, 0.8, 0.07)),
     /** Low, and falling. */
     BLAST(1, new Tone(0, 140, 38, 1, 0.16), new Tone(0, 420, 60, 0.7, 0.05)),
+    /** Embers that hiss and sink away. */
+    MELT(
+            0.6,
+            new Tone(0, 3900, 2300, 0.4, 0.12),
+            new Tone(0.02, 5100, 2900, 0.3, 0.09),
+            new Tone(0.05, 310, 95, 1, 0.16)),
     /** Not now: twice the same low note. */
     REFUSE(0.7, Tone.steady(165, 1, 0.03), new Tone(0.11, 165, 165, 1, 0.04)),
     /** A bright dot, played higher the longer the hold has lasted. */
@@ -61,6 +67,7 @@ enum Signal {
             case FREEZE -> FREEZE;
             case FUSE -> FUSE;
             case BLAST -> BLAST;
+            case MELT -> MELT;
         };
     }
 

@@ -37,7 +37,7 @@ record Timbre(double frequency, double decay, double contact, double hiss, doubl
     static Timbre of(Skin skin) {
         return switch (skin) {
             case RIGIBO -> new Timbre(270, 0.10, 0.0012, 0.10, MARIMBA);
-            case STONE -> new Timbre(330, 0.035, 0.0004, 0.40, BLOCK);
+            case STONE, EMBER -> new Timbre(330, 0.035, 0.0004, 0.40, BLOCK);
             case IRON -> new Timbre(390, 0.30, 0.0005, 0.10, BAR);
             case ICE -> new Timbre(820, 0.06, 0.0004, 0.25, BLOCK);
             case RUBBER -> new Timbre(120, 0.045, 0.0060, 0.04, 1, 2);

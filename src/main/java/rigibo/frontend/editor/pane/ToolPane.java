@@ -103,7 +103,11 @@ public final class ToolPane {
                         area,
                         name,
                         Control.Kind.of(isChosen),
-                        pane.words().of("editor.material", name, key),
+                        pane.words().of(told(substance), name, key),
                         () -> desk.substance(substance));
+    }
+
+    private static String told(Substance substance) {
+        return substance == Substance.EMBER ? "editor.material.ember.told" : "editor.material";
     }
 }

@@ -31,9 +31,6 @@ final class EndPanel {
 
     private static final double PADDING = 20;
 
-    /** Distance from what is above and below the play, px. */
-    private static final double GAP = 12;
-
     private static final double HEADLINE = 42;
     private static final double HEADLINE_SIZE = 34;
 
@@ -65,11 +62,10 @@ final class EndPanel {
     private final Optional<MedalStamps> stamps;
     private final Optional<StarStamp> star;
 
-    /** Where the play begins, where the keys begin, and the highest ball on the screen, px. */
-    private double foot;
+    /** Heights of the play, and of balls and platform in it. */
+    private Span play = new Span(0, 0);
 
-    private double floor;
-    private double highestBall;
+    private List<Span> kept = List.of();
 
     /** As it was last drawn. */
     private Plate plate = Plate.NONE;
@@ -101,17 +97,14 @@ final class EndPanel {
     }
 
     /**
-     * Takes where the panel may be in a window without room beside the play: where the play begins,
-     * or above the keys if it would cover a ball.
+     * Takes where the panel may be in a window without room beside the play.
      *
-     * @param foot where the play begins, px
-     * @param floor where the keys begin, px
-     * @param highestBall on the screen, px
+     * @param between heights from where the play begins to where the keys begin
+     * @param visible heights of what it is not to cover, if there is room for that
      */
-    void place(double foot, double floor, double highestBall) {
-        this.foot = foot;
-        this.floor = floor;
-        this.highestBall = highestBall;
+    void place(Span between, List<Span> visible) {
+        play = between;
+        kept = visible;
     }
 
     /** Puts the panel, whose buttons begin so far below its upper edge, where there is room. */
@@ -132,11 +125,7 @@ final class EndPanel {
     }
 
     private double top(Layout layout, double height) {
-        if (isBeside(layout)) {
-            return EDGE;
-        }
-        boolean isInTheWay = highestBall < foot + height + 2 * GAP;
-        return isInTheWay ? floor - GAP - height : foot + GAP;
+        return isBeside(layout) ? EDGE : play.clearTop(height, kept);
     }
 
     /** Whether the window has room for it in the left column; what opens stands in the other. */

@@ -20,6 +20,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * The panels around the play: the bar, the keys, those that open in between, and the one at the
@@ -116,18 +117,21 @@ public final class Panels {
     }
 
     private void place(EndPanel panel) {
-        double highest =
-                session.game().balls().stream()
-                        .mapToDouble(ball -> view.camera().screenY(ball.y()))
-                        .filter(y -> y > foot())
-                        .min()
-                        .orElse(Scene.HEIGHT);
         if (layout.isInHand() && layout.isUpright()) {
             HandPlaces places = HandPlaces.of(layout, MOST_IN_HAND);
-            panel.place(places.bar().bottom(), places.keys().first().y(), highest);
+            panel.place(new Span(places.bar().bottom(), places.keys().first().y()), visible());
         } else {
-            panel.place(foot(), View.KEYS_TOP, highest);
+            panel.place(new Span(foot(), View.KEYS_TOP), visible());
         }
+    }
+
+    /** Heights of the balls that are on the screen, and of the platform. */
+    private List<Span> visible() {
+        PuzzleGame game = session.game();
+        return Stream.concat(game.balls().stream(), Stream.of(game.platform()))
+                .map(body -> Span.of(body, view.camera()))
+                .filter(span -> span.bottom() > foot() && span.top() < View.KEYS_TOP)
+                .toList();
     }
 
     public void shut() {

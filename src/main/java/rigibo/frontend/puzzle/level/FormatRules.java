@@ -43,6 +43,10 @@ final class FormatRules {
             if (shape.has("round")) {
                 tell(json, body + "/shape/round", "\"round\"");
             }
+            String material = json.node(body).path("material").asString("");
+            if (material.equals(Substance.EMBER.title())) {
+                tell(json, body + "/material", "the material \"" + material + "\"");
+            }
             for (String member : MEMBERS) {
                 if (json.node(body).has(member)) {
                     tell(json, body + "/" + member, "\"" + member + "\"");

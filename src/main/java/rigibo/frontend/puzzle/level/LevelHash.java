@@ -78,6 +78,10 @@ final class LevelHash {
         if (!body.deletable()) {
             handling(body.handling());
         }
+        // What others are made of shows in their numbers alone; a fire door melts besides.
+        if (body.substance() == Substance.EMBER) {
+            text(body.substance().title());
+        }
         body.path().ifPresent(this::path);
         body.source()
                 .jet()

@@ -16,7 +16,9 @@ public enum Substance {
     ICE(new Material(900, 0.03, 0.02)),
     RUBBER(new Material(1100, 0.9, 0.7)),
     IRON(new Material(1600, 0.35, 0.1)),
-    BALL(new Material(600, 0.5, 0.1).rollingResistance(Substance.BALL_LEVER));
+    BALL(new Material(600, 0.5, 0.1).rollingResistance(Substance.BALL_LEVER)),
+    /** A fire door, of which nothing is left soon after a ball has touched it. */
+    EMBER(new Material(2000, 0.5, 0));
 
     /** A leather ball's lever on wood, m: at r = 0.35 m it brakes by about 0.2 m/s². */
     private static final double BALL_LEVER = 0.01;

@@ -18,6 +18,7 @@ public final class Skins {
             case RUBBER -> Skin.RUBBER;
             case IRON -> Skin.IRON;
             case BALL -> Skin.BALL;
+            case EMBER -> Skin.EMBER;
         };
     }
 }

@@ -16,6 +16,7 @@ public final class Piece implements Target {
     private boolean isOn;
     private boolean isFrozen;
     private Optional<Fuse> fuse = Optional.empty();
+    private Optional<Melt> melt = Optional.empty();
 
     Piece(LevelBody definition, RigidBody body) {
         this.definition = definition;
@@ -83,6 +84,11 @@ public final class Piece implements Target {
         return fuse;
     }
 
+    /** The end of a fire door, once a ball has touched it. */
+    public Optional<Melt> melt() {
+        return melt;
+    }
+
     void flip() {
         isOn = !isOn;
         if (beltSpeed() != 0) {
@@ -92,11 +98,16 @@ public final class Piece implements Target {
 
     void freeze() {
         isFrozen = true;
+        melt = Optional.empty();
         body.type(BodyType.STATIC);
         body.material(Substance.STONE.material());
     }
 
     void light(Fuse lit) {
         fuse = Optional.of(lit);
+    }
+
+    void melt(Melt begun) {
+        melt = Optional.of(begun);
     }
 }

@@ -23,6 +23,7 @@ public final class PuzzleGame {
     private final Board board;
     private final List<Ride> rides;
     private final Workings workings;
+    private final FireDoors doors;
     private final Cooldown cooldown;
     private final HoldClock hold;
     private final RestWatch rest = new RestWatch();
@@ -47,6 +48,7 @@ public final class PuzzleGame {
                         .map(piece -> new Ride(piece.definition(), piece.body()))
                         .toList();
         workings = new Workings(board.pool(), board.pieces(), board.sources());
+        doors = new FireDoors(board);
         cooldown = new Cooldown(Steps.of(limits.cooldown()));
         hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
         star = level.star().map(one -> new StarWatch(one.feat(), board));
@@ -57,13 +59,15 @@ public final class PuzzleGame {
     public void step() {
         rides.forEach(ride -> ride.beforeStep(steps));
         workings.beforeStep(steps);
+        doors.beforeStep(steps);
         board.pool().step(Steps.SECONDS);
         steps++;
+        doors.afterStep(steps);
         if (outcome == Outcome.RUNNING) {
             star.ifPresent(StarWatch::observe);
         }
         board.forgetStrays();
-        if (workings.isBurning()) {
+        if (workings.isBurning() || doors.areMelting()) {
             rest.restart();
         } else {
             rest.observe(board);

@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /**
  * The sounds of a level: its knocks and rolling, and those of clicks, hold and the end of the game.
@@ -38,6 +39,9 @@ final class Noises {
     /** Bombs whose fuses burnt when the game was last heard. */
     private final List<Piece> lit = new ArrayList<>();
 
+    /** Fire doors that melted when the game was last heard. */
+    private final List<Piece> melting = new ArrayList<>();
+
     /** The sounds of a game from its present state on. */
     Noises(Sounds sounds, PuzzleGame game) {
         this.sounds = sounds;
@@ -52,6 +56,8 @@ final class Noises {
         ticks = ticks(other);
         skins.clear();
         lit.clear();
+        melting.clear();
+        melting(other).forEach(melting::add);
         other.balls().forEach(ball -> skins.put(ball, Skin.BALL));
         for (Piece piece : other.pieces()) {
             skins.put(piece.body(), Skins.of(piece.substance()));
@@ -75,6 +81,7 @@ final class Noises {
                 .max()
                 .ifPresent(sounds::roll);
         tellBlasts();
+        tellMelting();
         tellHold();
         tellOutcome();
     }
@@ -86,6 +93,17 @@ final class Noises {
         game.pieces().stream()
                 .filter(piece -> piece.isAlive() && piece.fuse().isPresent())
                 .forEach(lit::add);
+    }
+
+    private void tellMelting() {
+        List<Piece> now = melting(game).toList();
+        now.stream().filter(door -> !melting.contains(door)).forEach(door -> sounds.did(Deed.MELT));
+        melting.clear();
+        melting.addAll(now);
+    }
+
+    private static Stream<Piece> melting(PuzzleGame game) {
+        return game.pieces().stream().filter(piece -> piece.isAlive() && piece.melt().isPresent());
     }
 
     /** A bomb that fell out of the world did not. */

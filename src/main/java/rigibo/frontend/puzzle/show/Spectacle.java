@@ -160,11 +160,12 @@ final class Spectacle {
         cuts.put(rope.id(), share);
     }
 
-    /** Draws what moves on a piece: the chevrons of a belt, the fuse of a bomb. */
+    /** Draws what moves on a piece: the chevrons of a belt, the fuse of a bomb, embers. */
     void drawOn(Canvas canvas, Camera camera, Piece piece) {
         Pose pose = session.pose(piece.body());
         belts.draw(canvas, camera, piece, pose);
         Bombs.draw(canvas, camera, piece, pose, watched.steps());
+        Embers.draw(canvas, camera, piece, pose, watched.steps());
     }
 
     /** Draws what is left of the ropes that were cut. */
@@ -182,6 +183,9 @@ final class Spectacle {
             Piece piece = pieces.get(i);
             if (now.isEmpty() && piece.is(Verb.LIGHT)) {
                 last.get(i).ifPresent(remains -> blowUp(piece, remains));
+            }
+            if (now.isEmpty() && piece.melt().isPresent()) {
+                last.get(i).ifPresent(splinters::burst);
             }
             if (now.isEmpty() && piece.is(Verb.DELETE)) {
                 last.get(i).ifPresent(remains -> squashed.add(new Squashed(remains)));

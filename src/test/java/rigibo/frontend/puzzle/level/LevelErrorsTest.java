@@ -133,8 +133,8 @@ class LevelErrorsTest {
                         "\"material\": \"stoen\"",
                         List.of(
                                 "a.json:16:18: /bodies/1/material: \"stoen\" is not one of rigibo,"
-                                        + " stone, plank, ice, rubber, iron, ball, did you mean"
-                                        + " \"stone\"?")),
+                                    + " stone, plank, ice, rubber, iron, ball, ember, did you mean"
+                                    + " \"stone\"?")),
                 Arguments.of(
                         "\"cooldown\": 1.0",
                         "\"cooldown\": \"fast\"",

@@ -136,6 +136,28 @@ public final class VerbLevels {
                     + bomb("far", 7.89)
                     + "]}";
 
+    /**
+     * The ball falls from 2 m onto a plate of ember that can be frozen and lies on a floor; beside
+     * it a crate lies on another.
+     */
+    public static final String EMBERS =
+            HEAD.replace("\"joints\"", "\"continuous-impacts\"")
+                    + """
+                      "ball": {"x": 2, "y": 2.95, "radius": 0.35},
+                      "platform": {"x": 6, "y": 1.2, "w": 1},
+                      "bodies": [
+                        {"id": "floor", "shape": {"type": "box", "w": 9, "h": 0.4}, "x": 4.5, "y": 0.2,
+                         "material": "stone", "dynamic": false},
+                        {"id": "plate", "shape": {"type": "box", "w": 1, "h": 0.2}, "x": 2, "y": 0.5,
+                         "material": "ember", "click": "freeze"},
+                        {"id": "other", "shape": {"type": "box", "w": 1, "h": 0.2}, "x": 4, "y": 0.5,
+                         "material": "ember", "dynamic": false},
+                        {"id": "crate", "shape": {"type": "box", "w": 0.5, "h": 0.5}, "x": 4, "y": 0.85,
+                         "material": "plank"}
+                      ]
+                    }
+                    """;
+
     private VerbLevels() {}
 
     private static String bomb(String id, double x) {
