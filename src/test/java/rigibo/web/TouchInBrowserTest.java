@@ -24,7 +24,9 @@ class TouchInBrowserTest {
     void levelsAreSolvedAndMadeByFingers() throws IOException, InterruptedException {
         assertThat(WebProgram.run(folder, "--sample"))
                 .contains("4 of 4 levels were solved by touch")
-                .contains("level made by touch: enlarged true, saved true, won true")
+                .contains(
+                        "level made by touch: enlarged true, saved true, won true,"
+                                + " refusal told true")
                 .contains("menu read: true, calm: true")
                 .contains("beside the page: made")
                 .contains(

@@ -75,7 +75,10 @@ final class Address {
             params = "title",
             script =
                     "if (navigator.share) { navigator.share({title: title, url: location.href})"
-                            + ".catch(function() {}); return true; }"
-                            + " navigator.clipboard.writeText(location.href); return false;")
+                            + ".catch(function() {}); return true; } return false;")
     private static native boolean offered(String title);
+
+    /** All of it, with the scene and what is chosen in it. */
+    @JSBody(script = "return location.href;")
+    static native String whole();
 }

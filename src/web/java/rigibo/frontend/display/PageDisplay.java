@@ -249,8 +249,11 @@ public final class PageDisplay implements Director {
 
     @Override
     public void copy(String text) {
-        copyToClipboard(text);
-        say(words.of("toast.copied", text.length()));
+        copy(text, words.of("toast.copied", text.length()));
+    }
+
+    private void copy(String text, String done) {
+        Clipboard.write(text, isCopied -> say(isCopied ? done : words.of("toast.not-copied")));
     }
 
     @Override
@@ -263,7 +266,7 @@ public final class PageDisplay implements Director {
     public void share() {
         address.show(scene.link());
         if (!address.offer(scene.title())) {
-            say(words.of("toast.link"));
+            copy(Address.whole(), words.of("toast.link"));
         }
     }
 
@@ -280,7 +283,7 @@ public final class PageDisplay implements Director {
 
     @Override
     public void paste() {
-        readClipboard(this::pasted);
+        Clipboard.read(this::pasted);
     }
 
     void pasted(String text) {
@@ -325,21 +328,6 @@ public final class PageDisplay implements Director {
 
     @JSBody(params = "pace", script = "window.rigiboPace = pace;")
     private static native void tellPace(Pace pace);
-
-    /** Takes a text from the browser. */
-    @JSFunctor
-    interface Taker extends JSObject {
-        void take(String text);
-    }
-
-    /** A browser asks the player first; where he or she refuses, it is as if there were no text. */
-    @JSBody(
-            params = "taker",
-            script = "navigator.clipboard.readText().then(taker, function() { taker(''); });")
-    private static native void readClipboard(Taker taker);
-
-    @JSBody(params = "text", script = "navigator.clipboard.writeText(text);")
-    private static native void copyToClipboard(String text);
 
     @JSBody(
             params = "wanted",

@@ -42,6 +42,9 @@ final class EditorCheck {
             "navigator.clipboard.writeText = text => { window.copied = text; return"
                     + " Promise.resolve(); }; 1";
 
+    private static final String REFUSAL =
+            "navigator.clipboard.writeText = () => Promise.reject(new Error('refused')); 1";
+
     private final Phone phone;
     private final Words words;
     private Page.Spot ball;
@@ -65,9 +68,19 @@ final class EditorCheck {
         phone.picture("editor-end");
         boolean isSaved = phone.stepped().isKept("levels/", NAME);
         boolean isWon = isWon(phone.page().value("window.copied"));
+        boolean isRefusalTold = isRefusalTold();
         System.out.printf(
-                "level made by touch: enlarged %s, saved %s, won %s%n", isEnlarged, isSaved, isWon);
-        return isEnlarged && isSaved && isWon;
+                "level made by touch: enlarged %s, saved %s, won %s, refusal told %s%n",
+                isEnlarged, isSaved, isWon, isRefusalTold);
+        return isEnlarged && isSaved && isWon && isRefusalTold;
+    }
+
+    /** Whether a browser that lets nothing be copied is not taken for one that does. */
+    private boolean isRefusalTold() throws IOException, InterruptedException {
+        phone.page().value(REFUSAL);
+        code();
+        phone.goUntilTold();
+        return phone.stepped().said().contains(words.of("toast.not-copied"));
     }
 
     private void tab(String key) throws IOException, InterruptedException {
@@ -133,6 +146,10 @@ final class EditorCheck {
     private void save() throws IOException, InterruptedException {
         tab("more");
         phone.tap(words.of("editor.save"));
+        code();
+    }
+
+    private void code() throws IOException, InterruptedException {
         tab("more");
         phone.tap(words.of("editor.code"));
     }

@@ -1,0 +1,45 @@
+package rigibo.frontend.display;
+
+import org.teavm.jso.JSBody;
+import org.teavm.jso.JSFunctor;
+import org.teavm.jso.JSObject;
+
+/**
+ * The browser's clipboard. The browser may refuse, or ask the player first, and has none where the
+ * page comes by HTTP from another machine.
+ */
+final class Clipboard {
+
+    private Clipboard() {}
+
+    /** Takes a text from the browser. */
+    @JSFunctor
+    interface Taker extends JSObject {
+        void take(String text);
+    }
+
+    /** Takes what became of a text. */
+    @JSFunctor
+    interface Outcome extends JSObject {
+        void take(boolean isCopied);
+    }
+
+    /** Hands the clipboard's text over; an empty one where it may not be read. */
+    @JSBody(
+            params = "taker",
+            script =
+                    "var none = function() { taker(''); };"
+                            + " try { navigator.clipboard.readText().then(taker, none); }"
+                            + " catch (missing) { none(); }")
+    static native void read(Taker taker);
+
+    /** Copies a text, and tells whether that was allowed. */
+    @JSBody(
+            params = {"text", "outcome"},
+            script =
+                    "var no = function() { outcome(false); };"
+                            + " try { navigator.clipboard.writeText(text)"
+                            + ".then(function() { outcome(true); }, no); }"
+                            + " catch (missing) { no(); }")
+    static native void write(String text, Outcome outcome);
+}
