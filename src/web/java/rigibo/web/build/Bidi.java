@@ -2,7 +2,6 @@ package rigibo.web.build;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
@@ -12,9 +11,6 @@ import java.util.regex.Pattern;
 final class Bidi implements Page {
 
     private static final Pattern CONTEXT = Pattern.compile("\"context\":\"([^\"]+)\"");
-    private static final Pattern VALUE =
-            Pattern.compile("\"value\":(\"((?:[^\"\\\\]|\\\\.)*)\"|[^,}]+)");
-    private static final Pattern DATA = Pattern.compile("\"data\":\"([^\"]*)\"");
     private static final Pattern URL = Pattern.compile("\"url\":\"([^\"]*)\"");
 
     private final List<String> requests = new ArrayList<>();
@@ -71,18 +67,12 @@ final class Bidi implements Page {
 
     @Override
     public String value(String script) throws IOException, InterruptedException {
-        String answer =
-                wire.send(
-                        "script.evaluate",
-                        "\"awaitPromise\":true,\"target\":{"
-                                + context
-                                + "},\"expression\":"
-                                + Wire.quoted(script));
-        Matcher value = VALUE.matcher(answer);
-        if (!value.find()) {
-            return answer.contains("\"undefined\"") ? "undefined" : answer;
-        }
-        return value.group(2) == null ? value.group(1) : value.group(2);
+        return wire.value(
+                "script.evaluate",
+                "\"awaitPromise\":true,\"target\":{"
+                        + context
+                        + "},\"expression\":"
+                        + Wire.quoted(script));
     }
 
     @Override
@@ -102,11 +92,7 @@ final class Bidi implements Page {
 
     @Override
     public byte[] picture() throws IOException, InterruptedException {
-        Matcher data = DATA.matcher(wire.send("browsingContext.captureScreenshot", context));
-        if (!data.find()) {
-            throw new IOException("the browser makes no picture");
-        }
-        return Base64.getDecoder().decode(data.group(1));
+        return wire.picture("browsingContext.captureScreenshot", context);
     }
 
     @Override

@@ -7,7 +7,6 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
@@ -17,9 +16,6 @@ import java.util.regex.Pattern;
 final class DevTools implements Page {
 
     private static final Pattern SOCKET = Pattern.compile("\"webSocketDebuggerUrl\": *\"([^\"]+)");
-    private static final Pattern VALUE =
-            Pattern.compile("\"value\":(\"((?:[^\"\\\\]|\\\\.)*)\"|[^,}]+)");
-    private static final Pattern DATA = Pattern.compile("\"data\":\"([^\"]*)\"");
     private static final Pattern URL = Pattern.compile("\"request\":\\{\"url\":\"([^\"]*)\"");
 
     /** A page that says nothing for so long is broken. */
@@ -108,16 +104,10 @@ final class DevTools implements Page {
 
     @Override
     public String value(String script) throws IOException, InterruptedException {
-        String answer =
-                send(
-                        "Runtime.evaluate",
-                        "\"awaitPromise\":true,\"returnByValue\":true,\"expression\":"
-                                + Wire.quoted(script));
-        Matcher value = VALUE.matcher(answer);
-        if (!value.find()) {
-            return answer.contains("\"undefined\"") ? "undefined" : answer;
-        }
-        return value.group(2) == null ? value.group(1) : value.group(2);
+        return wire.value(
+                "Runtime.evaluate",
+                "\"awaitPromise\":true,\"returnByValue\":true,\"expression\":"
+                        + Wire.quoted(script));
     }
 
     /** Fingers are down at points of the page, the last of them only now. */
@@ -180,11 +170,7 @@ final class DevTools implements Page {
 
     @Override
     public byte[] picture() throws IOException, InterruptedException {
-        Matcher data = DATA.matcher(send("Page.captureScreenshot", "\"format\":\"png\""));
-        if (!data.find()) {
-            throw new IOException("the browser makes no picture");
-        }
-        return Base64.getDecoder().decode(data.group(1));
+        return wire.picture("Page.captureScreenshot", "\"format\":\"png\"");
     }
 
     @Override

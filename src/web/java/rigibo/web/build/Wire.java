@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
+import java.util.Base64;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -17,6 +18,10 @@ final class Wire {
 
     private static final Pattern NUMBER =
             Pattern.compile("^\\{(?:\"type\":\"(?:success|error)\",)?\"id\":(\\d+)");
+
+    private static final Pattern VALUE =
+            Pattern.compile("\"value\":(\"((?:[^\"\\\\]|\\\\.)*)\"|[^,}]+)");
+    private static final Pattern DATA = Pattern.compile("\"data\":\"([^\"]*)\"");
 
     /** A browser that says nothing for so long is broken. */
     private static final int MOST_SECONDS = 60;
@@ -74,6 +79,25 @@ final class Wire {
                 return told;
             }
         }
+    }
+
+    /** Calls a method that evaluates an expression; returns what it comes to, as text. */
+    String value(String method, String parameters) throws IOException, InterruptedException {
+        String answer = send(method, parameters);
+        Matcher value = VALUE.matcher(answer);
+        if (!value.find()) {
+            return answer.contains("\"undefined\"") ? "undefined" : answer;
+        }
+        return value.group(2) == null ? value.group(1) : value.group(2);
+    }
+
+    /** Calls a method that makes a picture; returns it, a PNG. */
+    byte[] picture(String method, String parameters) throws IOException, InterruptedException {
+        Matcher data = DATA.matcher(send(method, parameters));
+        if (!data.find()) {
+            throw new IOException("the browser makes no picture");
+        }
+        return Base64.getDecoder().decode(data.group(1));
     }
 
     /** Breaks the connection. */
