@@ -135,14 +135,26 @@ public final class EdgeContact {
     }
 
     /**
-     * Whether an outline that reaches below the edge's plane does not touch the edge: it lies
-     * against the other flank of a ridge, and the edge's normal would lead it through that.
+     * Whether an outline that reaches below the edge's plane lies against the other flank of a
+     * ridge, so that the edge's normal would lead it through that: it does not touch the edge, or
+     * only its end, out of which the shortest way leads to the other flank.
      */
     private boolean isBehindRidge(double radius) {
-        if (!view.isConvex(true) && !view.isConvex(false) || view.isPierced()) {
+        if (!view.isConvex(true) && !view.isConvex(false)) {
             return false;
         }
-        return distanceOfCore() > radius;
+        boolean isPierced = view.isPierced();
+        if (!isPierced && distanceOfCore() > radius) {
+            return true;
+        }
+        boolean isCrossed = isPierced && view.corners == 2;
+        return !isCrossed && (leadsBeyond(true, radius) || leadsBeyond(false, radius));
+    }
+
+    private boolean leadsBeyond(boolean isStart, double radius) {
+        return view.isConvex(isStart)
+                && view.leadsBeyond(isStart)
+                && view.distance - radius > gapOfFace + slack;
     }
 
     /** Distance between the core and the edge, m; 0 if an end of the edge is inside the core. */

@@ -175,14 +175,14 @@ final class EdgeView {
         }
         distance = Math.sqrt(leastSquare);
         if (isInside || distance == 0) {
-            lookOut(isStart, x);
+            lookOut(isStart, x, true);
         } else {
             directionX /= distance;
             directionY /= distance;
         }
     }
 
-    private void lookOut(boolean isStart, double x) {
+    private void lookOut(boolean isStart, double x, boolean isPushed) {
         isInside = true;
         isOfFace = true;
         distance = Double.NEGATIVE_INFINITY;
@@ -194,7 +194,8 @@ final class EdgeView {
             double inX = -ey / length;
             double inY = ex / length;
             double depth = inX * (x - along[i]) - inY * above[i];
-            if (-depth > distance && mayPush(isStart, inX, inY)) {
+            boolean isWay = !isPushed || mayPush(isStart, inX, inY);
+            if (-depth > distance && isWay) {
                 distance = -depth;
                 directionX = inX;
                 directionY = inY;
@@ -234,6 +235,24 @@ final class EdgeView {
         double turn = isStart ? bx * y - by * x : x * by - y * bx;
         double own = isStart ? x : -x;
         return isConvex(isStart) && own >= -FLAT && turn >= -FLAT && x * bx + y * (1 + by) > 0;
+    }
+
+    /**
+     * Finds the point of the core nearest to a convex end of the edge, or the shortest way out if
+     * the end is inside; whether that way leads beyond the normal of the next edge, and so to the
+     * far side of the end.
+     */
+    boolean leadsBeyond(boolean isStart) {
+        lookFrom(isStart);
+        if (isInside) {
+            lookOut(isStart, end(isStart), false);
+        }
+        EdgeEnd beyond = beyond(isStart);
+        double bx = ux * beyond.normalX() + uy * beyond.normalY();
+        double by = edge.normalX(0) * beyond.normalX() + edge.normalY(0) * beyond.normalY();
+        double turn = bx * directionY - by * directionX;
+        boolean isPast = isStart ? turn < 0 : turn > 0;
+        return isPast && (directionY < 0 || directionX * bx + directionY * by > 0);
     }
 
     /** Lowest height of the core beyond an end of the edge, m; infinite if no corner is there. */

@@ -7,7 +7,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Chain;
+import rigibo.backend.geometry.Convex;
 import rigibo.backend.geometry.Polygon;
 
 import java.util.SplittableRandom;
@@ -82,6 +84,53 @@ class EdgeContactTest {
             }
         }
         assertThat(met).isGreaterThan(2_000);
+    }
+
+    /**
+     * What lies on one flank and has sunk in by a hair, turned by as little, is not pushed through
+     * the ridge by the other one: no contact overlaps by more than the outline has sunk in, but for
+     * the corners of a box, which sink in √2 times as deep as its sides.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.1, 0.4, 0.7, 1.5, 3, 8})
+    void whatHasSunkInByAHairIsNotPushedThroughTheRidge(double slope) {
+        Chain ridge = ridge(slope);
+        SplittableRandom random = new SplittableRandom(2);
+        double flank = Math.atan(slope);
+        int met = 0;
+        for (int i = 0; i < 20_000; i++) {
+            double sunk = 1e-3 * random.nextDouble();
+            Convex lying =
+                    switch (i % 3) {
+                        case 0 -> new Capsule(0.1 + 0.5 * random.nextDouble(), 0.25);
+                        case 1 -> Polygon.box(1.2, 0.5);
+                        default -> Polygon.box(1, 0.3).rounded(0.1);
+                    };
+            double turn = 2e-3 * (2 * random.nextDouble() - 1);
+            double along = 1.5 * random.nextDouble() - 0.5;
+            double above = 0.25 - sunk;
+            Pose pose =
+                    Meeting.pose(
+                            along * Math.cos(flank) + above * Math.sin(flank),
+                            -along * Math.sin(flank) + above * Math.cos(flank),
+                            turn - flank);
+            // Turning sinks an end of 0.7 m in by at most 0.7 · 2e-3 m.
+            double most = Math.sqrt(2) * (sunk + 0.7 * Math.abs(turn));
+            for (int edge = RIGHT; edge <= LEFT; edge++) {
+                collider.collide(
+                        ridge.outline(edge),
+                        Meeting.pose(0, 0, 0),
+                        lying.outline(),
+                        pose,
+                        1,
+                        manifold);
+                met += manifold.count;
+                assertThat(least())
+                        .as("draw %d, %s, edge %d", i, lying.kind(), edge)
+                        .isGreaterThan(-most - ROUND_OFF);
+            }
+        }
+        assertThat(met).isGreaterThan(20_000);
     }
 
     private double least() {
