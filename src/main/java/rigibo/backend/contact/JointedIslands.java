@@ -131,7 +131,7 @@ final class JointedIslands {
     }
 
     private int substepsFor(int island, double dt) {
-        boolean areMany = joints.areCrowd(island);
+        boolean areMany = joints.areCrowd(island, dt);
         int most = accuracy.substeps();
         int usual = areMany ? fewer.byWay(island, dt, most) : joints.needed.of(island, dt, most);
         boolean isTaut = !areMany && joints.needed.isTaut();

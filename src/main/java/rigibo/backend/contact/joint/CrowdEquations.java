@@ -138,8 +138,11 @@ final class CrowdEquations {
         }
     }
 
-    /** Holds the places of equations at the end of a drift of h seconds. */
-    void holdPlaces(double h) {
+    /**
+     * Holds the places of equations at the end of a drift of h seconds, in groups on which nothing
+     * presses.
+     */
+    void holdPlaces(double h, boolean[] isPressed) {
         double energy = motions.energy(motions.data);
         int length = motions.count * Motions.STRIDE;
         if (before.length < length) {
@@ -152,7 +155,7 @@ final class CrowdEquations {
             jointRows.measureAnew();
             isAny = false;
             for (int group = 0; group < tree.groups; group++) {
-                if (askPlaces(group, h) > 1) {
+                if (!isPressed[group] && askPlaces(group, h) > 1) {
                     isAny = true;
                     pushAnswers(group);
                 }

@@ -69,6 +69,9 @@ final class CrowdSolver {
     /** By group whether other equations hold in it. */
     private boolean[] isOther = new boolean[16];
 
+    /** By group whether a contact presses on one of its bodies. */
+    private boolean[] isPressed = new boolean[16];
+
     /** Velocities before a kick's impulses, as the motions. */
     private double[] free = new double[64];
 
@@ -148,6 +151,7 @@ final class CrowdSolver {
         if (free.length < length) {
             free = new double[motions.data.length];
             isOther = new boolean[motions.slots.length];
+            isPressed = new boolean[motions.slots.length];
         }
         System.arraycopy(motions.data, 0, free, 0, length);
         freeEnergy = motions.energy(motions.data);
@@ -174,13 +178,12 @@ final class CrowdSolver {
         bounded.addContacts();
         responses.begin();
         run(quiet, h, true);
-        double most = noise + GAINED * freeEnergy;
-        if (!motions.isAnyDriven && !(gained() <= most)) {
+        if (isGained(noise)) {
             bounded.release();
             factor.changeAll();
             responses.begin();
             run(quiet, h, false);
-            if (!(gained() <= most)) {
+            if (isGained(noise)) {
                 bounded.release();
                 settle(false);
             }
@@ -238,6 +241,11 @@ final class CrowdSolver {
         }
     }
 
+    /** Whether more energy was gained than may be: noise, J, and a share of the motion's. */
+    private boolean isGained(double noise) {
+        return !motions.isAnyDriven && !(gained() <= noise + GAINED * freeEnergy);
+    }
+
     private boolean isWorth(int pass) {
         return pass < usualPasses || pass < mostPasses && bounded.asked() < MOST_ASKED;
     }
@@ -291,9 +299,29 @@ final class CrowdSolver {
         }
     }
 
-    /** Holds the places of equations at the end of a drift of h seconds. */
+    /**
+     * Holds the places of equations at the end of a drift of h seconds, but where bodies are
+     * pressed on: contacts are not asked again, so that the tension of a rope, say, would draw it
+     * into the pulley that it runs over.
+     */
     void holdPlaces(double h) {
-        held.holdPlaces(h);
+        Arrays.fill(isPressed, 0, tree.groups, false);
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.isPoint(row) && rows.impulse[row] > 0) {
+                notePressed(row);
+            }
+        }
+        held.holdPlaces(h, isPressed);
+    }
+
+    private void notePressed(int row) {
+        for (int i = 0; i < rows.bodies[row]; i++) {
+            int entry = rows.body[row * NeutralRows.BODIES + i] / Motions.STRIDE;
+            int body = equations.bodyOfEntry(entry);
+            if (body != EquationList.NONE) {
+                isPressed[tree.groupOf[body]] = true;
+            }
+        }
     }
 
     /** Takes overlap back after a drift of h seconds. */

@@ -92,9 +92,17 @@ final class JointBudget {
     }
 
     /** Whether an island is too large for its contacts and limits to be eliminated. */
-    boolean areCrowd(int island) {
-        int contactCount = islands.pairStart[island + 1] - islands.pairStart[island];
+    boolean areMany(int island) {
+        int contactCount = contacts(island);
         int jointCount = islands.jointStart[island + 1] - islands.jointStart[island];
+        return contactCount > 0 && LEAST_ROWS * (contactCount + jointCount) > MOST_ROWS;
+    }
+
+    /**
+     * Whether so many contacts and limits of an island may open and close that passes do better.
+     */
+    boolean areManyBounded(int island) {
+        int contactCount = contacts(island);
         int bounded = LEAST_ROWS * contactCount;
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             int slot = islands.joints[i];
@@ -103,8 +111,11 @@ final class JointBudget {
                             || joints.upper[slot] < Double.POSITIVE_INFINITY;
             bounded += (isLimited ? 1 : 0) + (joints.motorMost[slot] > 0 ? 1 : 0);
         }
-        boolean areMany = LEAST_ROWS * (contactCount + jointCount) > MOST_ROWS;
-        return contactCount > 0 && (areMany || bounded > MOST_BOUNDED);
+        return contactCount > 0 && bounded > MOST_BOUNDED;
+    }
+
+    private int contacts(int island) {
+        return islands.pairStart[island + 1] - islands.pairStart[island];
     }
 
     /** Begins an island whose rows are written, a crowd or not, for so many substeps of its own. */

@@ -185,8 +185,9 @@ public final class JointSolver {
     }
 
     /** Whether an island is too large for its contacts and limits to be eliminated. */
-    public boolean areCrowd(int island) {
-        return budget.areCrowd(island);
+    public boolean areCrowd(int island, double dt) {
+        return budget.areMany(island)
+                || budget.areManyBounded(island) && !needed.isTight(island, dt);
     }
 
     /** Begins substeps of h seconds of the packed island. */
@@ -196,7 +197,7 @@ public final class JointSolver {
 
     /** Begins with the joints of an island whose bodies and contacts are packed. */
     public void pack(int island, double firstKick, int substepsOfIsland) {
-        boolean areMany = areCrowd(island);
+        boolean areMany = areCrowd(island, 2 * firstKick * substepsOfIsland);
         packed.pack(island, firstKick);
         inertia.begin();
         needed.begin(areMany);

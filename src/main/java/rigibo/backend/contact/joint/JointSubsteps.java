@@ -52,6 +52,11 @@ public final class JointSubsteps {
         return isTaut ? usual : taut.count(island, dt, usual);
     }
 
+    /** Whether bodies of an island are light beside what they carry. */
+    boolean isTight(int island, double dt) {
+        return taut.isTight(island, dt);
+    }
+
     /** Number of substeps that the springs of the packed island need for a step of dt seconds. */
     public int forSprings(double dt, int usual) {
         return springs.count(dt, usual);

@@ -6,15 +6,14 @@ import rigibo.backend.setup.Accuracy;
 /**
  * Solves the rows of an island to the end. Equations are always eliminated; of the rows with bounds
  * those are that are within them. Rows that leave their bounds leave the set and rows that are
- * driven off their bounds enter it, all at once as long as they get fewer, else one at a time by
- * the last index, which ends (Júdice and Pires, Basic-set algorithm for a generalized linear
- * complementarity problem, 1994). Bounds that follow from loads follow between two such solutions;
- * where a few of these did not end, what slides is solved together with its loads ({@link
- * SlidingRows}).
+ * driven off their bounds enter it, all at once as long as they get fewer (Júdice and Pires,
+ * Basic-set algorithm for a generalized linear complementarity problem, 1994), else one at a time
+ * ({@link RowDescent}). Bounds that follow from loads follow between two such solutions; where a
+ * few of these did not end, what slides is solved together with its loads ({@link SlidingRows}).
  */
 final class RowSolver {
 
-    /** Exchanges of all rows at once that may fail to make them fewer, before single ones. */
+    /** Exchanges of all rows at once that may fail to make them fewer. */
     private static final int PATIENCE = 5;
 
     /**
@@ -44,6 +43,12 @@ final class RowSolver {
     /** What a bound may lag behind its loads, as a multiple of what counts as solved. */
     private static final double LAG = 100;
 
+    /**
+     * Share of the strongest speed that bounds may lag behind once rounds end, for each metre of
+     * the tolerance: at GAME friction is then known to a thousandth.
+     */
+    private static final double LATE = 10;
+
     /** Share of a bound from which on what was carried counts as at it. */
     private static final double AT_BOUND = 1 - 1e-9;
 
@@ -54,6 +59,7 @@ final class RowSolver {
     private final NeutralRows rows;
     private final RowElimination elimination;
     private final SlidingRows sliding;
+    private final RowDescent descent;
 
     /** How rows were before what slides was solved with its loads. */
     private final RowMemory apart;
@@ -69,6 +75,9 @@ final class RowSolver {
     /** What rows with bounds give way by for what they carry else than in the kick before. */
     private final double nearness;
 
+    /** Share of the strongest speed that bounds may lag behind once rounds end. */
+    private final double late;
+
     /** By row: target, give and impulse as they were written. */
     private double[] aim = new double[64];
 
@@ -78,10 +87,8 @@ final class RowSolver {
     /** Whether rows are kept near what they carried. */
     private boolean areNear;
 
-    /** Rows to be exchanged, and the last of them. */
+    /** Rows to be exchanged. */
     private int wrong;
-
-    private int lastWrong;
 
     /** What counts as solved, m/s, and whether the set's rows may be from the start. */
     private double settled;
@@ -94,10 +101,12 @@ final class RowSolver {
     RowSolver(Motions motions, NeutralRows rows, RowElimination elimination, Accuracy accuracy) {
         boolean isExact = accuracy.substeps() >= Accuracy.EXACT.substeps();
         nearness = isExact ? 0 : Math.min(MOST_NEARNESS, NEARNESS * accuracy.impactTolerance());
+        late = LATE * accuracy.impactTolerance();
         this.motions = motions;
         this.rows = rows;
         this.elimination = elimination;
         sliding = new SlidingRows(motions, rows, elimination);
+        descent = new RowDescent(rows, elimination);
         apart = new RowMemory(motions, rows);
     }
 
@@ -333,16 +342,20 @@ final class RowSolver {
                 apart.keep();
             }
             boolean isSolved = exchange();
-            if (isSolved && !follow()) {
-                return true;
-            }
-            if (!isSolved && !isTogether) {
-                return false;
-            }
-            if (!isSolved) {
+            if (isSolved) {
+                boundAll();
+                boolean isLast = round == MOST_ROUNDS - 1 || elimination.isSpent();
+                double share = isLast ? late : 0;
+                if (lag() <= Math.max(LAG * settled, share * strongest())) {
+                    return true;
+                }
+                follow();
+            } else if (isTogether) {
                 // Rows that jam have no answer, or several: back to where they were.
                 isTogether = false;
                 goApart();
+            } else {
+                return false;
             }
         }
         return false;
@@ -390,8 +403,10 @@ final class RowSolver {
             }
             if (patience > 0) {
                 exchangeAll();
+            } else if (isTogether) {
+                return false;
             } else {
-                exchange(lastWrong);
+                return descent.solve(bounded, boundedCount, side, settled);
             }
         }
         return false;
@@ -435,7 +450,6 @@ final class RowSolver {
         for (int i = 0; i < boundedCount; i++) {
             if (isWrong(bounded[i])) {
                 wrong++;
-                lastWrong = bounded[i];
             }
         }
     }
@@ -474,28 +488,41 @@ final class RowSolver {
         rows.push(row, bound - rows.impulse[row]);
     }
 
-    /** Lets bounds follow the loads; whether any of them has moved. */
-    private boolean follow() {
-        boundAll();
-        boolean isAny = false;
+    /** By how much, in m/s, what follows loads is off its bound at most. */
+    private double lag() {
+        double most = 0;
+        for (int i = 0; i < boundedCount; i++) {
+            most = Math.max(most, lag(bounded[i]));
+        }
+        return most;
+    }
+
+    private double lag(int row) {
+        boolean follows = rows.load[row] != NeutralRows.NONE || rows.twin[row] != NeutralRows.NONE;
+        double change = follows ? due(row) - rows.impulse[row] : 0;
+        return rows.inMetres(row, change) * rows.response[row];
+    }
+
+    /**
+     * What a row is due to carry by its bounds: outside the set the bound, in it what is within.
+     */
+    private double due(int row) {
+        double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];
+        return elimination.isIn(row) ? within(row, rows.impulse[row]) : bound;
+    }
+
+    /** Lets rows follow bounds that have moved with their loads. */
+    private void follow() {
         for (int i = 0; i < boundedCount; i++) {
             int row = bounded[i];
-            if (rows.load[row] != NeutralRows.NONE || rows.twin[row] != NeutralRows.NONE) {
-                boolean isOut = !elimination.isIn(row);
-                double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];
-                double wanted = isOut ? bound : within(row, rows.impulse[row]);
-                double change = wanted - rows.impulse[row];
-                if (rows.inMetres(row, change) * rows.response[row] > LAG * settled) {
-                    isAny = true;
-                    if (isOut) {
-                        rows.push(row, change);
-                    } else {
-                        exchange(row);
-                    }
+            if (lag(row) > LAG * settled) {
+                if (elimination.isIn(row)) {
+                    exchange(row);
+                } else {
+                    rows.push(row, due(row) - rows.impulse[row]);
                 }
             }
         }
-        return isAny;
     }
 
     /** Brings equations to what they ask for, whatever the other rows do. */

@@ -45,6 +45,9 @@ final class TautSubsteps {
      */
     private static final int MOST_BODIES = 64;
 
+    /** Substeps that tension needs from which on passes over contacts do not do. */
+    private static final double TIGHT = 2;
+
     private final Bodies bodies;
     private final JointStore joints;
     private final Islands islands;
@@ -68,6 +71,14 @@ final class TautSubsteps {
         }
         int most = meetsOthers(island) ? MOST_MORE_IF_TOUCHED : MOST_MORE;
         return (int) Math.ceil(Math.max(usual, Math.min(most * usual, wanted(island, dt))));
+    }
+
+    /**
+     * Whether tension turns bodies back so fast that they are light beside what they carry. Passes
+     * over their contacts then take bodies for settled that are drawn into each other.
+     */
+    boolean isTight(int island, double dt) {
+        return wanted(island, dt) > TIGHT;
     }
 
     /** Whether an island vibrates faster than is worth following. */

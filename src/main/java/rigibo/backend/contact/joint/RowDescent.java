@@ -1,0 +1,149 @@
+package rigibo.backend.contact.joint;
+
+/**
+ * Solves rows within bounds that stay where exchanges of the set do not end. It begins with
+ * impulses within their bounds and goes towards those that would solve the rows of the set, as far
+ * as the first row that comes to a bound, which leaves the set. Once the set is solved, that row
+ * enters which is driven off its bound most. Each step lowers the energy of what rows lack, so no
+ * set comes twice (J. Nocedal and S. Wright, Numerical Optimization, 2006, on active sets of convex
+ * quadratic programs).
+ */
+final class RowDescent {
+
+    /** Solutions with the same set that take back what elimination lost of digits. */
+    private static final int REFINEMENTS = 3;
+
+    /** Steps for each row with bounds, and besides. */
+    private static final int STEPS_EACH = 4;
+
+    private static final int STEPS = 16;
+
+    private static final int NONE = NeutralRows.NONE;
+
+    private final NeutralRows rows;
+    private final RowElimination elimination;
+
+    /** The rows with bounds, and by row at which bound it is outside the set, −1 or 1. */
+    private int[] bounded;
+
+    private int count;
+    private int[] side;
+
+    /** What counts as solved, m/s. */
+    private double settled;
+
+    RowDescent(NeutralRows rows, RowElimination elimination) {
+        this.rows = rows;
+        this.elimination = elimination;
+    }
+
+    /**
+     * Solves but for {@code most} m/s, and answers whether it could; {@code sides} tells at which
+     * bound a row outside the set is.
+     */
+    boolean solve(int[] withBounds, int countOfThem, int[] sides, double most) {
+        bounded = withBounds;
+        count = countOfThem;
+        side = sides;
+        settled = most;
+        clamp();
+        int steps = STEPS + STEPS_EACH * count;
+        int same = 0;
+        for (int i = 0; i < steps && !elimination.isSpent(); i++) {
+            elimination.factorize();
+            double lacking = ask();
+            boolean isSolved = same > 0 && lacking <= settled || same == REFINEMENTS;
+            if (!isSolved) {
+                same = step() ? 0 : same + 1;
+            } else if (letIn()) {
+                same = 0;
+            } else {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Brings all impulses within their bounds; what is at one leaves the set. */
+    private void clamp() {
+        for (int i = 0; i < count; i++) {
+            int row = bounded[i];
+            double impulse = rows.impulse[row];
+            if (elimination.isIn(row) && impulse >= rows.upper[row]) {
+                leave(row, 1);
+            } else if (elimination.isIn(row) && impulse <= rows.lower[row]) {
+                leave(row, -1);
+            }
+        }
+    }
+
+    private void leave(int row, int at) {
+        side[row] = at;
+        elimination.put(row, false);
+        rows.push(row, (at > 0 ? rows.upper[row] : rows.lower[row]) - rows.impulse[row]);
+    }
+
+    /** Asks the set's rows for what they lack; the most, m/s. */
+    private double ask() {
+        double most = 0;
+        for (int k = 0; k < elimination.size(); k++) {
+            int row = elimination.row(k);
+            double residual = rows.residual(row);
+            elimination.ask(k, -residual);
+            most = Math.max(most, rows.inMetres(row, residual));
+        }
+        return most;
+    }
+
+    /** Goes on to what solves the set, or to the first bound; whether a row came to one. */
+    private boolean step() {
+        elimination.solve();
+        double share = 1;
+        int first = NONE;
+        for (int k = 0; k < elimination.size(); k++) {
+            int row = elimination.row(k);
+            double change = elimination.answer(k);
+            double bound = change > 0 ? rows.upper[row] : rows.lower[row];
+            double left = Math.max(0, (bound - rows.impulse[row]) / change);
+            if (change != 0 && left < share) {
+                share = left;
+                first = row;
+            }
+        }
+        int at = 0;
+        for (int k = 0; k < elimination.size(); k++) {
+            int row = elimination.row(k);
+            double change = elimination.answer(k);
+            rows.push(row, share * change);
+            at = row == first ? change > 0 ? 1 : -1 : at;
+        }
+        if (first != NONE) {
+            leave(first, at);
+        }
+        return first != NONE;
+    }
+
+    /** Takes the row into the set that is driven off its bound most; whether any is. */
+    private boolean letIn() {
+        int entering = NONE;
+        double most = settled;
+        for (int i = 0; i < count; i++) {
+            int row = bounded[i];
+            double drive = rows.unit[row] * side[row] * rows.residual(row);
+            if (!elimination.isIn(row) && drive > most && isOpen(row)) {
+                most = drive;
+                entering = row;
+            }
+        }
+        if (entering != NONE) {
+            elimination.put(entering, true);
+        }
+        return entering != NONE;
+    }
+
+    /** Whether the bounds of a row leave it anything to carry, as far as counts. */
+    private boolean isOpen(int row) {
+        double slack = settled / rows.unit[row] / rows.response[row];
+        return rows.upper[row] - rows.lower[row] > 2 * slack;
+    }
+}
