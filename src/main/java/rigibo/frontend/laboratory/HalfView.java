@@ -58,6 +58,11 @@ final class HalfView {
         this.words = words;
     }
 
+    /** Median of what a step of the half takes, ms; 0 before the first. */
+    double medianMillis() {
+        return half.medianMillis();
+    }
+
     /** Height of the plate, px: in a hand the readouts are below the switch. */
     private static double plateHeight(Layout layout) {
         return layout.isInHand() ? 2 * PADDING + layout.clickable(0) + 2 * LINE : PLATE_HEIGHT;

@@ -2,7 +2,6 @@ package rigibo.frontend.laboratory;
 
 import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Canvas;
-import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Link;
@@ -11,12 +10,9 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
-import rigibo.frontend.scene.accuracy.Badge;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Divergence;
-import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
-import rigibo.frontend.scene.widget.Print;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -33,9 +29,6 @@ final class LaboratoryScene implements Scene {
 
     private static final String EXPERIMENT = "experiment";
     private static final String GRAPH = "graph";
-
-    /** A line of what is said of both halves in a hand, px. */
-    private static final double LINE = 21;
 
     /** What the buttons below open or do, after one for each quantity. */
     private static final int EXPERT = Quantity.values().length;
@@ -58,6 +51,7 @@ final class LaboratoryScene implements Scene {
     private final Half right = new Half(Preset.EXACT);
     private final HalfView leftView;
     private final HalfView rightView;
+    private final StatusPlate status;
     private final ButtonBar bar;
     private final ButtonBar drawers;
 
@@ -80,9 +74,6 @@ final class LaboratoryScene implements Scene {
     /** The quantity that is graphed, or the sliders. */
     private int drawer;
 
-    /** Share of real time at which the loop runs. */
-    private double pace = 1;
-
     private int turn;
     private boolean isPaused;
 
@@ -92,6 +83,7 @@ final class LaboratoryScene implements Scene {
         this.director = director;
         leftView = new HalfView(left, words);
         rightView = new HalfView(right, words);
+        status = new StatusPlate(words, leftView, rightView);
         List<String> titles =
                 experiments.stream().map(experiment -> words.of(experiment.titleKey())).toList();
         bar = new ButtonBar(titles);
@@ -193,7 +185,7 @@ final class LaboratoryScene implements Scene {
 
     @Override
     public void paced(double share) {
-        pace = share;
+        status.paced(share);
     }
 
     @Override
@@ -234,10 +226,10 @@ final class LaboratoryScene implements Scene {
             drawer = drawer < EXPERT ? drawer : 0;
             commands.draw(canvas, places.commands(), 1, isPaused ? PAUSE : NO_COMMAND);
             graphs.draw(canvas, places.drawers(), 1, drawer);
-            drawStatusInHand(canvas, places.status());
+            status.drawInHand(canvas, places.status(), isPaused);
         } else {
             drawers.draw(canvas, places.drawers(), 1, drawer);
-            drawStatus(canvas, places.status());
+            status.draw(canvas, places.status(), isPaused);
         }
         drawDrawer(canvas, places.graph());
     }
@@ -255,28 +247,6 @@ final class LaboratoryScene implements Scene {
         narrator.says(note());
         if (isPaused) {
             narrator.says(words.of("badge.paused"));
-        }
-    }
-
-    private void drawStatus(Canvas canvas, Plate at) {
-        canvas.panel(at.x(), at.y(), at.width(), at.height(), 12, Color.PANEL);
-        double middle = at.y() + at.height() / 2;
-        Print.left(canvas, ratio(), at.x() + 12, middle, 16, Color.TEXT);
-        Print.right(canvas, state(), at.right() - 12, middle, 16, Color.BRASS);
-    }
-
-    private String state() {
-        return isPaused ? words.of("badge.paused") : new Badge(words).pace(pace);
-    }
-
-    private void drawStatusInHand(Canvas canvas, Plate at) {
-        canvas.panel(at.x(), at.y(), at.width(), at.height(), 12, Color.PANEL);
-        String said = ratio() + " · " + state();
-        List<String> lines = Lines.of(canvas, said, 16, Canvas.Font.WORDS, at.width() - 24);
-        double y = at.y() + at.height() / 2 - (lines.size() - 1) * LINE / 2;
-        for (String line : lines) {
-            Print.left(canvas, line, at.x() + 12, y, 16, Color.TEXT);
-            y += LINE;
         }
     }
 
@@ -315,16 +285,6 @@ final class LaboratoryScene implements Scene {
                 + left.accuracy()
                 + "; right: "
                 + right.accuracy();
-    }
-
-    private String ratio() {
-        double one = left.medianMillis();
-        double other = right.medianMillis();
-        if (one == 0 || other == 0) {
-            return words.of("laboratory.ask");
-        }
-        String times = words.number("%.2f", other / one);
-        return words.of("laboratory.ratio", rightView.name(), times, leftView.name());
     }
 
     @Override
