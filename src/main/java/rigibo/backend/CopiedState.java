@@ -27,9 +27,8 @@ final class CopiedState {
     double time;
 
     /**
-     * Copies a pool's state.
-     *
-     * @param edited the contacts that edits ended; null if none were asked for yet
+     * Copies a pool's state. @param edited the contacts that edits ended; null if contacts were
+     * never read
      */
     void copy(LiveState live, BodyList bodies, EndedContacts edited) {
         columns.copy(live.data());

@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * A demo's controls and readouts. They share a plate, except in a hand, where there is no room for
- * both.
+ * A demo's controls and readouts. They share a plate, except in a handheld window, where there is
+ * no room for both.
  */
 final class DemoControls {
 
@@ -82,7 +82,7 @@ final class DemoControls {
         return shown.contains(x, y);
     }
 
-    /** When a finger at a point, px, presses what is there. */
+    /** When a finger at a point, px, presses. */
     Tap tap(double x, double y) {
         return shown.tap(x, y);
     }

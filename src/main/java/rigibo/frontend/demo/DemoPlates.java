@@ -34,13 +34,13 @@ final class DemoPlates {
     /** Between plates, px. */
     private static final double GAP = 6;
 
-    /** What demos show begins to the right of this many px of controls. */
+    /** Widest controls, px: demos draw their world to the right of them. */
     private static final double WIDEST_CONTROLS = 294;
 
     /** Width over the scene with text of its usual size, px. */
     private static final double SIDE_WIDTH = 240;
 
-    /** What N, G and other demos turn to is left as it was when a demo is restarted. */
+    /** Which plates are open; kept when the demo is restarted. */
     private final Folds folds;
 
     private final int mostColumns;
@@ -52,7 +52,7 @@ final class DemoPlates {
     private final Tabs tabs;
     private final HandButtons buttons = new HandButtons();
 
-    /** What all of it is drawn on in a hand. */
+    /** The canvas of the plates in a handheld window. */
     private Optional<Enlarged> inHand = Optional.empty();
 
     private Plate sidePlace = Plate.NONE;
@@ -139,8 +139,8 @@ final class DemoPlates {
     }
 
     /**
-     * Draws what there is room for; in a hand also buttons, since there are no keys, and more of
-     * them beside the tabs.
+     * Draws what there is room for. A handheld window, which has no keys, also gets buttons, some
+     * of them beside the tabs.
      */
     void draw(
             Canvas canvas,
@@ -166,7 +166,7 @@ final class DemoPlates {
         }
     }
 
-    /** What is not drawn cannot be pressed. */
+    /** Forgets all places: plates that are not drawn cannot be pressed. */
     private void forget() {
         tabs.clear();
         buttons.clear();
@@ -304,12 +304,12 @@ final class DemoPlates {
                 || button(px, py).isPresent();
     }
 
-    /** The button at a point, px, in a hand. */
+    /** The button at a point, px, in a handheld window. */
     Optional<HandButtons.Item> button(double px, double py) {
         return buttons.at(px, py);
     }
 
-    /** When a finger at a point, px, presses what is there. */
+    /** When a finger at a point, px, presses. */
     Tap tap(double px, double py) {
         double x = plateX(px);
         double y = plateY(py);

@@ -12,9 +12,9 @@ final class PlaceSearch {
     private Found found;
 
     /**
-     * Where a value was found.
+     * Where a value was found. @param name where its name begins; if it has none, where the value
+     * begins
      *
-     * @param name where its name begins; for what has none, as the value
      * @param value where it begins
      */
     record Found(Place name, Place value) {}

@@ -67,11 +67,7 @@ public final class Value {
         return is("a text", JsonNode::isString, JsonNode::stringValue, instead);
     }
 
-    /**
-     * A text of a required form.
-     *
-     * @param shape what it must be, in words
-     */
+    /** A text of a required form. @param shape the required form, in words */
     public String text(Pattern pattern, String shape, String instead) {
         return is(
                 shape,
@@ -137,7 +133,7 @@ public final class Value {
         return instead;
     }
 
-    /** Reports what this must be, and what it is instead. */
+    /** Reports what this must be, and what was found instead. */
     public void wrong(String must) {
         error(() -> must + ", was " + Escape.shown(node));
     }

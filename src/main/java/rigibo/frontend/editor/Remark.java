@@ -23,7 +23,7 @@ final class Remark {
         text = "";
     }
 
-    /** Says what was done, by the end of the sentence's key. */
+    /** Says what was done; {@code key} is the last part of the sentence's key. */
     void say(String key, Object... values) {
         text = words.of("editor.say." + key, values);
     }

@@ -108,7 +108,7 @@ final class Workshop {
         return list;
     }
 
-    /** What was done last, in words, or how far a proof is. */
+    /** A sentence about what was done last, or about how far a proof is. */
     String remark() {
         return isProving() && remark.text().isEmpty()
                 ? words().of("editor.proving", proving.games())

@@ -21,7 +21,7 @@ import java.util.stream.Stream;
 
 /**
  * Two accuracies side by side, started from the same state, in real time or as near to it as
- * possible; below them what is graphed of the two, or the sliders of their accuracies.
+ * possible. Below them is a graph of both, or the sliders of their accuracies.
  */
 final class LaboratoryScene implements Scene {
 
@@ -30,7 +30,7 @@ final class LaboratoryScene implements Scene {
     private static final String EXPERIMENT = "experiment";
     private static final String GRAPH = "graph";
 
-    /** What the buttons below open or do, after one for each quantity. */
+    /** Numbers of the buttons below; those of the quantities come first. */
     private static final int EXPERT = Quantity.values().length;
 
     private static final int TABLE = EXPERT + 1;
@@ -55,7 +55,7 @@ final class LaboratoryScene implements Scene {
     private final ButtonBar bar;
     private final ButtonBar drawers;
 
-    /** The graphs alone, and what keys do elsewhere, in a hand. */
+    /** The buttons of a handheld window: the graphs alone, and commands in place of keys. */
     private final ButtonBar graphs;
 
     private final ButtonBar commands;
@@ -63,7 +63,7 @@ final class LaboratoryScene implements Scene {
     private final GraphPlate plate;
     private final ExpertPlate expert;
 
-    /** What a link to the laboratory as it begins would hold. */
+    /** The link to the laboratory as it begins. */
     private final Link first;
 
     private Room room;
@@ -96,7 +96,10 @@ final class LaboratoryScene implements Scene {
         first = whole();
     }
 
-    /** It holds everything or nothing, so that a change that was taken back is told. */
+    /**
+     * The link states all choices or none, so that a choice that was set back to its default is
+     * stated too.
+     */
     @Override
     public Link link() {
         Link whole = whole();
@@ -132,7 +135,7 @@ final class LaboratoryScene implements Scene {
         return taken == link.choices().size();
     }
 
-    /** The name in links of what is graphed, or of the sliders. */
+    /** The name in links of a graph, or of the sliders. */
     private static String linked(int drawer) {
         return drawer == EXPERT ? "expert" : Quantity.values()[drawer].linked();
     }
@@ -222,7 +225,7 @@ final class LaboratoryScene implements Scene {
         rightView.draw(canvas, places.right(), room.skins());
         bar.draw(canvas, places.experiments(), places.rows(), chosen);
         if (isInHand) {
-            // Sliders side by side, and files, want a larger window.
+            // There is no room for sliders side by side, and files need a larger window.
             drawer = drawer < EXPERT ? drawer : 0;
             commands.draw(canvas, places.commands(), 1, isPaused ? PAUSE : NO_COMMAND);
             graphs.draw(canvas, places.drawers(), 1, drawer);
@@ -278,7 +281,7 @@ final class LaboratoryScene implements Scene {
         }
     }
 
-    /** What was measured, for whoever reads the table; not translated, like its columns. */
+    /** The table's description, which is not translated, like its columns. */
     private String about() {
         return experiments.get(chosen).name()
                 + "; left: "
@@ -321,7 +324,7 @@ final class LaboratoryScene implements Scene {
         }
     }
 
-    /** The buttons of what is below. */
+    /** The bar of buttons below the halves. */
     private ButtonBar below() {
         return isInHand ? graphs : drawers;
     }

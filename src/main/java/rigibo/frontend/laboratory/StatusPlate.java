@@ -13,7 +13,7 @@ import java.util.List;
 /** Says how many times as long the right half takes, and how fast the laboratory runs. */
 final class StatusPlate {
 
-    /** Between lines of a plate in a hand, px. */
+    /** Height of a line in a handheld window, px. */
     private static final double LINE = 21;
 
     private final Words words;

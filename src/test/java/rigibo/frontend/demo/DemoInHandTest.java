@@ -23,7 +23,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** Demos in a window that is held in a hand, used by their buttons. */
+/** Demos in a handheld window, used by their buttons. */
 class DemoInHandTest {
 
     /** Between the points at which is asked whether a plate is there, px. */

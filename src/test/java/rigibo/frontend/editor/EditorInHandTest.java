@@ -32,7 +32,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The editor in a window that is held in a hand, used by fingers alone. */
+/** The editor in a handheld window, used by fingers alone. */
 class EditorInHandTest {
 
     /** Of the levels, this one after the other is enough. */

@@ -54,10 +54,8 @@ public final class Joining {
     }
 
     /**
-     * What a joint is to hold.
-     *
-     * @param item nothing for the backdrop, where a hook will be
-     * @param at m
+     * One end of a joint in the making. @param item the item to hold; empty for the backdrop, which
+     * gets a hook @param at the place, m
      */
     public record End(Optional<Item> item, Point at) {}
 

@@ -19,7 +19,7 @@ public enum EnergyKind {
     /** Work is done from outside, or a force acts whose potential is not counted. */
     WORKED;
 
-    /** The kind of a pool as it is now. */
+    /** The present kind of a pool. */
     public static EnergyKind of(Pool pool) {
         Effects effects = pool.effects();
         if (declaresAny(effects, Effect.Energy.GIVEN) || hasDriven(pool)) {
@@ -38,7 +38,7 @@ public enum EnergyKind {
         return pool.bodies().stream().anyMatch(body -> body.type() == BodyType.KINEMATIC);
     }
 
-    /** Of every pair that meets one is dynamic, and the greater of the two elasticities counts. */
+    /** In every pair that collides one body is dynamic, and the greater elasticity counts. */
     private static boolean losesInImpacts(Pool pool) {
         Effects effects = pool.effects();
         return effects.declares(Contacts.class)
