@@ -208,7 +208,7 @@ final class PendulumDemo implements Demo {
         return hang.isWhole() ? OptionalDouble.of(hang.tension()) : OptionalDouble.empty();
     }
 
-    /** The kinds of pendulums. */
+    /** The pendulum as it hangs. */
     Hang hang() {
         return hang;
     }

@@ -31,10 +31,13 @@ record MenuPlaces(Plate head, Plate play, Plate row, Plate heading, Grid cards) 
 
     private static final double TAGLINE = 74;
 
-    /** Height of the head in a handheld window, in letters of the tagline's size. */
+    /** Height of the head in a handheld window, in lines. */
     private static final double LINES = 2;
 
-    /** Height of a line of small text, px, and additional height of the button to play, px. */
+    /**
+     * Height of a line of small text, px; and height of the button to play, as a multiple of the
+     * other buttons'.
+     */
     private static final double LINE = 22;
 
     private static final double PLAY = 1.3;

@@ -58,7 +58,7 @@ public record LevelProgress(
         return new LevelProgress(levelHash, isSolved, fewestClicks, more, hasStar);
     }
 
-    /** The progress of a level that is solved. */
+    /** A copy whose star was found. */
     LevelProgress starred() {
         return new LevelProgress(levelHash, isSolved, fewestClicks, failures, true);
     }

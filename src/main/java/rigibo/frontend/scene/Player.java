@@ -16,7 +16,7 @@ public interface Player {
     /** The player's progress. */
     Progress progress();
 
-    /** Saves the present progress. */
+    /** Replaces the progress. */
     void progress(Progress changed);
 
     /** Where solved runs are kept; nothing where none are. */

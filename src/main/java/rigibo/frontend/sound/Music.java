@@ -14,7 +14,7 @@ final class Music {
     private Note next;
     private double time;
 
-    /** The instrument of a note. */
+    /** Plays notes on a device. */
     interface Player {
 
         /** Starts a sample on one of {@link #VOICES} voices, in place of what that plays. */

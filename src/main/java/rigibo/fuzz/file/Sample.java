@@ -1,9 +1,4 @@
 package rigibo.fuzz.file;
 
-/**
- * A valid file.
- *
- * @param name what the game calls it
- * @param bytes what is in it
- */
+/** A valid file. @param name its name in the game @param bytes its content */
 public record Sample(String name, byte[] bytes) {}

@@ -18,7 +18,7 @@ import rigibo.frontend.scene.Settings;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Whatever a demo shows can be read. */
+/** All texts of a demo can be read. */
 class DemoLegibilityTest {
 
     private static final int SECOND = 60;
@@ -80,7 +80,7 @@ class DemoLegibilityTest {
         }
     }
 
-    /** What is told of the dial, of the numbers beside or below it, and of each effect. */
+    /** The texts about the dial, the numbers beside or below it, and each effect. */
     @ParameterizedTest
     @MethodSource("demos")
     void isLegibleWhateverIsPointedAt(SceneEntry demo, String language) {

@@ -5,7 +5,7 @@ import rigibo.frontend.scene.RecordingCanvas.Mark;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What is wrong with the texts of a picture. */
+/** Finds faults in the texts of a picture. */
 public final class Legibility {
 
     /** The smallest text that everyone can read, px of the screen. */

@@ -26,7 +26,7 @@ final class Column {
      */
     private static final double VALUE_SHARE = 0.3;
 
-    /** Width of the value between plus and minus where text is enlarged, px. */
+    /** Width that plus and minus give up to the value between them where text is enlarged, px. */
     private static final double SPARED = 5;
 
     private final Pane pane;

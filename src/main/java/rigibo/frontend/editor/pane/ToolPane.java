@@ -19,7 +19,10 @@ public final class ToolPane {
     private static final double SWATCH = 30;
     private static final double GAP = 4;
 
-    /** Number of tools for bodies, the longer of the two columns. */
+    /**
+     * Number of rows: that of the tools for bodies, which are more than those for joints beside
+     * them.
+     */
     private static final int ROWS = 9;
 
     private static final int SWATCHES = 4;

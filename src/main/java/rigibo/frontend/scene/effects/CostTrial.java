@@ -115,7 +115,7 @@ final class CostTrial {
         return clock.getAsLong() - begin;
     }
 
-    /** Median over the measured steps. */
+    /** Mean over the measured steps. */
     private double mean(long[] times) {
         return Arrays.stream(times, 0, steps).average().orElseThrow();
     }
