@@ -23,7 +23,7 @@ public record Control(
         double share,
         boolean isChosen) {
 
-    /** What using a control does. */
+    /** The effect of using a control. */
     public enum Kind {
         BUTTON,
         /** A button whose thing is on, and goes off. */

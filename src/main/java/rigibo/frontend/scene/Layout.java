@@ -227,8 +227,8 @@ public record Layout(
     }
 
     /**
-     * The window in px of which a small letter has 16, whatever the window, from its upper left
-     * corner on: for what is laid out in the window instead of about the scene.
+     * The window as a sheet, from its upper left corner on, in px of which a small letter has 16 in
+     * any window. It is for parts laid out in the window instead of around the scene.
      */
     public Layout sheet() {
         return new Layout(

@@ -97,7 +97,7 @@ public interface Scene {
     /** A button went up. */
     default void pointerReleased(PointerButton button, double x, double y) {}
 
-    /** When a finger at a point presses what is there. */
+    /** When a finger at a point presses. */
     default Tap tap(double x, double y) {
         return Tap.AT_ONCE;
     }

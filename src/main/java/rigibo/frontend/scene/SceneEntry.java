@@ -48,7 +48,7 @@ public record SceneEntry(
     /** A picture of the scene before it is opened. */
     public interface Picture {
 
-        /** What is behind it. */
+        /** Its scenery. */
         default Scenery scenery() {
             return Scenery.WORKSHOP;
         }

@@ -1,7 +1,7 @@
 package rigibo.frontend.scene;
 
 /**
- * What a handheld window asks of a layout, logical px.
+ * What a layout must leave for fingers in a handheld window, logical px.
  *
  * @param least smallest side of anything to touch; 0 in desktop windows
  * @param hidden the hidden parts of the window's edges
