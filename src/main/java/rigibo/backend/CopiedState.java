@@ -27,8 +27,9 @@ final class CopiedState {
     double time;
 
     /**
-     * Copies a pool's state. @param edited the contacts that edits ended; null if contacts were
-     * never read
+     * Copies a pool's state.
+     *
+     * @param edited the contacts that edits ended; null if contacts were never read
      */
     void copy(LiveState live, BodyList bodies, EndedContacts edited) {
         columns.copy(live.data());

@@ -42,8 +42,10 @@ public final class Fuzz {
     }
 
     /**
-     * Carries out an order. @param progress is told now and then how far it is @return the
-     * failures, and how to repeat them; may be empty
+     * Carries out an order.
+     *
+     * @param progress is told now and then how far it is
+     * @return the failures, and how to repeat them; may be empty
      */
     public List<String> run(Order order, Consumer<String> progress) throws InterruptedException {
         return new Campaign(order, tally, watch, progress).run(subjects());

@@ -3,10 +3,14 @@ package rigibo.fuzz;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What to try, and for how long. @param seed of all random numbers: equal seeds try the same @param
- * first index of the first program or file that is tried @param programs number of programs at
- * most @param files number of files at most @param failures number of failures after which to
- * stop @param end {@code System.nanoTime} at which to stop
+ * What to try, and for how long.
+ *
+ * @param seed of all random numbers: equal seeds try the same
+ * @param first index of the first program or file that is tried
+ * @param programs number of programs at most
+ * @param files number of files at most
+ * @param failures number of failures after which to stop
+ * @param end {@code System.nanoTime} at which to stop
  */
 public record Order(long seed, long first, long programs, long files, long failures, long end) {
 

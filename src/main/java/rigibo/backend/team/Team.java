@@ -11,8 +11,9 @@ public interface Team extends AutoCloseable {
     interface Pieces {
 
         /**
-         * Does the work from one number up to another, which is excluded. @param worker number of
-         * the worker; 0 is the thread that steps
+         * Does the work from one number up to another, which is excluded.
+         *
+         * @param worker number of the worker; 0 is the thread that steps
          */
         void run(int from, int to, int worker);
     }

@@ -81,8 +81,9 @@ final class Crews {
     }
 
     /**
-     * Takes in a step with a number of bodies; returns whether the next crew begins its
-     * search. @param isFull whether no more bodies can be poured
+     * Takes in a step with a number of bodies; returns whether the next crew begins its search.
+     *
+     * @param isFull whether no more bodies can be poured
      */
     boolean goesOnWithTheNext(StepReport report, int bodies, boolean isFull) {
         if (!isSearching()) {

@@ -78,9 +78,9 @@ public final class Offscreen implements AutoCloseable {
     }
 
     /**
-     * Draws the present state of a scene. @param seconds since it began, for motion outside the
-     * physics, such as blinking eyes
+     * Draws the present state of a scene.
      *
+     * @param seconds since it began, for motion outside the physics, such as blinking eyes
      * @return its colours 0xRRGGBB, row by row from the top
      */
     public int[] picture(Scene scene, double seconds) {

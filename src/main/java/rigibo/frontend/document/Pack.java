@@ -41,7 +41,8 @@ public final class Pack {
     /**
      * A file of a pack.
      *
-     * @param name its name in messages @param text its content
+     * @param name its name in messages
+     * @param text its content
      */
     public record Entry(String name, String text) {}
 

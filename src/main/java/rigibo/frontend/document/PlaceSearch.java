@@ -12,9 +12,9 @@ final class PlaceSearch {
     private Found found;
 
     /**
-     * Where a value was found. @param name where its name begins; if it has none, where the value
-     * begins
+     * Where a value was found.
      *
+     * @param name where its name begins; if it has none, where the value begins
      * @param value where it begins
      */
     record Found(Place name, Place value) {}

@@ -16,8 +16,10 @@ import java.util.zip.Inflater;
 
 /**
  * A JSON document as a text short enough for a message: a word for its kind, then its checksum and
- * the compressed document (RFC 1951) in base64url (RFC 4648, 5). @param kind kind of the
- * document @param text the document; its reader has to check it
+ * the compressed document (RFC 1951) in base64url (RFC 4648, 5).
+ *
+ * @param kind kind of the document
+ * @param text the document; its reader has to check it
  */
 public record ShareCode(Kind kind, String text) {
 

@@ -67,7 +67,11 @@ public final class Value {
         return is("a text", JsonNode::isString, JsonNode::stringValue, instead);
     }
 
-    /** A text of a required form. @param shape the required form, in words */
+    /**
+     * A text of a required form.
+     *
+     * @param shape the required form, in words
+     */
     public String text(Pattern pattern, String shape, String instead) {
         return is(
                 shape,

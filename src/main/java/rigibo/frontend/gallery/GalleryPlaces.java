@@ -8,11 +8,15 @@ import rigibo.frontend.scene.widget.Plate;
 /**
  * Where the parts of the gallery are, logical px; in a handheld window, px of a sheet.
  *
- * @param back the button that leads back @param tabs the tabs of the sections @param pagers the
- *     buttons that turn pages @param cards the cards of the exhibits @param rows number of rows of
- *     cards on a page @param count right end of the number of exhibits; in a handheld window the
- *     middle of the page number @param foot the place for words about the selected exhibit; none in
- *     a handheld window, where no exhibit is pointed at
+ * @param back the button that leads back
+ * @param tabs the tabs of the sections
+ * @param pagers the buttons that turn pages
+ * @param cards the cards of the exhibits
+ * @param rows number of rows of cards on a page
+ * @param count right end of the number of exhibits; in a handheld window the middle of the page
+ *     number
+ * @param foot the place for words about the selected exhibit; none in a handheld window, where no
+ *     exhibit is pointed at
  */
 record GalleryPlaces(
         Plate back, Grid tabs, Grid pagers, Grid cards, int rows, Plate count, Plate foot) {

@@ -7,10 +7,14 @@ import rigibo.frontend.scene.widget.Plate;
 /**
  * Where the parts of the laboratory are, logical px; in a handheld window, px of a sheet.
  *
- * @param commands the buttons that replace keys in a handheld window @param experiments the buttons
- *     of the experiments @param rows number of rows of those buttons @param left the left
- *     half @param right the right half @param status the line with the cost of a step and the
- *     pace @param drawers the buttons that choose the graph @param graph the graph, or the sliders
+ * @param commands the buttons that replace keys in a handheld window
+ * @param experiments the buttons of the experiments
+ * @param rows number of rows of those buttons
+ * @param left the left half
+ * @param right the right half
+ * @param status the line with the cost of a step and the pace
+ * @param drawers the buttons that choose the graph
+ * @param graph the graph, or the sliders
  */
 record LaboratoryPlaces(
         Plate commands,

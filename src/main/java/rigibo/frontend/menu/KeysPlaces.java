@@ -8,9 +8,11 @@ import rigibo.frontend.scene.widget.Plate;
 /**
  * Where the parts of the page of keys are, logical px; in a handheld window, px of a sheet.
  *
- * @param levels the actions of levels @param demos the actions that only demos have @param told the
- *     line that tells what happened @param reset the button that restores the default keys @param
- *     back the button that leads back
+ * @param levels the actions of levels
+ * @param demos the actions that only demos have
+ * @param told the line that tells what happened
+ * @param reset the button that restores the default keys
+ * @param back the button that leads back
  */
 record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) {
 

@@ -9,11 +9,14 @@ import rigibo.frontend.scene.widget.Plate;
  * Where the parts of the list of levels are, logical px.
  *
  * @param title the middle of the heading; in a handheld window there is none
- * @param count the right end of the number of solved levels @param buttons the button that leads
- *     back, and the others after it @param made the row of levels made by chance @param tabs the
- *     tabs of the worlds @param cards the cards of the levels @param world the plate about the
- *     world @param foot the words about the selected level @param watch the button that shows its
- *     best run, which may take room from the foot
+ * @param count the right end of the number of solved levels
+ * @param buttons the button that leads back, and the others after it
+ * @param made the row of levels made by chance
+ * @param tabs the tabs of the worlds
+ * @param cards the cards of the levels
+ * @param world the plate about the world
+ * @param foot the words about the selected level
+ * @param watch the button that shows its best run, which may take room from the foot
  */
 record LevelsPlaces(
         Plate title,
@@ -77,8 +80,10 @@ record LevelsPlaces(
     }
 
     /**
-     * The places in a window. @param hasMade whether there are levels made by chance; without them
-     * a handheld window has no row for them
+     * The places in a window.
+     *
+     * @param hasMade whether there are levels made by chance; without them a handheld window has no
+     *     row for them
      */
     static LevelsPlaces of(Layout layout, boolean hasMade) {
         return layout.choose(

@@ -8,10 +8,11 @@ import rigibo.frontend.scene.widget.Plate;
 /**
  * Where the parts of the menu are, logical px.
  *
- * @param head the heading, from the middle of the title to the middle of the tagline @param play
- *     the button that opens the next level @param row the buttons below it @param heading the
- *     heading above the cards, by its left end and its middle @param cards the first card, and how
- *     the others follow
+ * @param head the heading, from the middle of the title to the middle of the tagline
+ * @param play the button that opens the next level
+ * @param row the buttons below it
+ * @param heading the heading above the cards, by its left end and its middle
+ * @param cards the first card, and how the others follow
  */
 record MenuPlaces(Plate head, Plate play, Plate row, Plate heading, Grid cards) {
 

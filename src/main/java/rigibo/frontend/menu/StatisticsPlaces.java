@@ -7,10 +7,12 @@ import rigibo.frontend.scene.widget.Plate;
 /**
  * Where the parts of the statistics are, logical px; in a handheld window, px of a sheet.
  *
- * @param title the middle of the heading, with the size of its letters as height @param back the
- *     button that leads back @param levels the numbers about levels @param play the numbers about
- *     tries @param days the numbers about daily levels @param endless the numbers about endless
- *     levels
+ * @param title the middle of the heading, with the size of its letters as height
+ * @param back the button that leads back
+ * @param levels the numbers about levels
+ * @param play the numbers about tries
+ * @param days the numbers about daily levels
+ * @param endless the numbers about endless levels
  */
 record StatisticsPlaces(
         Plate title, Plate back, Plate levels, Plate play, Plate days, Plate endless) {

@@ -37,7 +37,12 @@ final class StatisticsScene implements TiledScene {
     private static final int MINUTE = 60;
     private static final int HOUR = 60 * MINUTE;
 
-    /** A number. @param value its text @param key key of the words below it */
+    /**
+     * A number.
+     *
+     * @param value its text
+     * @param key key of the words below it
+     */
     private record Figure(String value, String key) {}
 
     private final Director director;

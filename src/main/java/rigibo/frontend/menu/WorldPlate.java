@@ -12,8 +12,10 @@ import rigibo.frontend.scene.widget.Print;
 
 /**
  * A plate beside a world's last cards: how much of the world is done and the medals won, or what
- * opens it. @param levels the list of levels @param world number of the world, from 1
+ * opens it.
  *
+ * @param levels the list of levels
+ * @param world number of the world, from 1
  * @param words the player's
  */
 record WorldPlate(LevelList levels, int world, Words words) {

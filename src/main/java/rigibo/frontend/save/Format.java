@@ -20,8 +20,9 @@ interface Format<T> {
     void write(T value, ObjectNode json);
 
     /**
-     * Merges the value to be written with the one that another running game has put on the
-     * disk. @param before the value that this game read or wrote last
+     * Merges the value to be written with the one that another running game has put on the disk.
+     *
+     * @param before the value that this game read or wrote last
      */
     T merged(T before, T onDisk, T own);
 }

@@ -22,8 +22,9 @@ import java.nio.file.Path;
 public record SafeFile(Path file) {
 
     /**
-     * Replaces the file by bytes, without a backup. @throws IOException when they cannot be
-     * written; the file is then unchanged
+     * Replaces the file by bytes, without a backup.
+     *
+     * @throws IOException when they cannot be written; the file is then unchanged
      */
     public void write(byte[] bytes) throws IOException {
         prepare(bytes);
@@ -33,7 +34,9 @@ public record SafeFile(Path file) {
     /**
      * Replaces the file by bytes without waiting for the disk, which would delay a frame. If the
      * game ends meanwhile, the file is the old or the new one; if the power fails, it may be
-     * neither. @throws IOException when they cannot be written; the file is then unchanged
+     * neither.
+     *
+     * @throws IOException when they cannot be written; the file is then unchanged
      */
     public void writeWithoutWaiting(byte[] bytes) throws IOException {
         fill(bytes, channel -> {});

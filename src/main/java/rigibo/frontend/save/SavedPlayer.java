@@ -38,16 +38,18 @@ public final class SavedPlayer implements Player, AutoCloseable {
     private final Writer writer = new Writer();
 
     /**
-     * Reads the files. Never fails: a file that cannot be read becomes a notice. @param
-     * systemLanguage ISO 639 code of the system's language, for the first start
+     * Reads the files. Never fails: a file that cannot be read becomes a notice.
+     *
+     * @param systemLanguage ISO 639 code of the system's language, for the first start
      */
     public SavedPlayer(Places places, String systemLanguage) {
         this(places, Settings.initial(systemLanguage));
     }
 
     /**
-     * Reads the files, as the other constructor does. @param initial settings until the player has
-     * chosen others
+     * Reads the files, as the other constructor does.
+     *
+     * @param initial settings until the player has chosen others
      */
     public SavedPlayer(Places places, Settings initial) {
         Leftovers.sweep(places.all());

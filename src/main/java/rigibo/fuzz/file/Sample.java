@@ -1,4 +1,9 @@
 package rigibo.fuzz.file;
 
-/** A valid file. @param name its name in the game @param bytes its content */
+/**
+ * A valid file.
+ *
+ * @param name its name in the game
+ * @param bytes its content
+ */
 public record Sample(String name, byte[] bytes) {}

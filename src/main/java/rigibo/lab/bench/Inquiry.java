@@ -16,8 +16,9 @@ import java.util.Map;
  * The order for a run of the bench.
  *
  * @param scenes in the order of the report
- * @param engines in the order of the report @param rounds number of rounds; in each every engine
- *     runs every scene once @param out directory where results are kept
+ * @param engines in the order of the report
+ * @param rounds number of rounds; in each every engine runs every scene once
+ * @param out directory where results are kept
  */
 public record Inquiry(List<BenchScene> scenes, List<Engine> engines, int rounds, Path out) {
 

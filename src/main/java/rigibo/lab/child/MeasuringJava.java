@@ -82,8 +82,9 @@ public final class MeasuringJava {
     /**
      * Runs a class to its end.
      *
-     * @param mark beginning of the lines that are answers @return the rest of each of these
-     *     lines @throws IllegalStateException when the class breaks off, with its output
+     * @param mark beginning of the lines that are answers
+     * @return the rest of each of these lines
+     * @throws IllegalStateException when the class breaks off, with its output
      */
     public List<String> run(String classPath, Class<?> main, List<String> arguments, String mark) {
         List<String> command = new ArrayList<>(pin);

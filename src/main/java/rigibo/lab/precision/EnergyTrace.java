@@ -5,9 +5,11 @@ package rigibo.lab.precision;
  *
  * @param engine name
  * @param setting name
- * @param seconds times of the samples @param energy measured energy @param byDesign energy that
- *     should be left: the rest to 1 is lost by design @param drift difference of the two; an impact
- *     that comes early or late by less than a step is no drift
+ * @param seconds times of the samples
+ * @param energy measured energy
+ * @param byDesign energy that should be left: the rest to 1 is lost by design
+ * @param drift difference of the two; an impact that comes early or late by less than a step is no
+ *     drift
  */
 record EnergyTrace(
         String engine,

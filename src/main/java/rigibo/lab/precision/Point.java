@@ -12,9 +12,11 @@ import java.util.Optional;
  *
  * @param problem id
  * @param engine name
- * @param setting its name @param errors errors of the run, or why it failed @param steps number of
- *     steps, of all worlds together @param work counted work of these steps @param timing times of
- *     the steps; empty if they were not measured
+ * @param setting its name
+ * @param errors errors of the run, or why it failed
+ * @param steps number of steps, of all worlds together
+ * @param work counted work of these steps
+ * @param timing times of the steps; empty if they were not measured
  */
 record Point(
         String problem,

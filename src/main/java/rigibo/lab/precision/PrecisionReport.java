@@ -32,8 +32,9 @@ final class PrecisionReport {
      * A report.
      *
      * @param points in the order of the settings; the first of another engine is at its defaults,
-     *     its others are finer @param problems the problems to report, in their order; those
-     *     without points are left out @param more sections after the problems
+     *     its others are finer
+     * @param problems the problems to report, in their order; those without points are left out
+     * @param more sections after the problems
      */
     PrecisionReport(
             List<Point> points,

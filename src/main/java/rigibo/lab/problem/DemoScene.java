@@ -11,9 +11,11 @@ import java.util.function.Consumer;
 /**
  * A scene of one of the game's demos.
  *
- * @param name of the demo @param looks number of samples before chaos sets in @param effects that
- *     it calls for @param thrust force on the first body, N to the right @param bodies its bodies,
- *     the moving ones first
+ * @param name of the demo
+ * @param looks number of samples before chaos sets in
+ * @param effects that it calls for
+ * @param thrust force on the first body, N to the right
+ * @param bodies its bodies, the moving ones first
  */
 record DemoScene(
         String name, int looks, Effects effects, double thrust, List<BodyDefinition> bodies) {

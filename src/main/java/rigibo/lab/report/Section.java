@@ -5,9 +5,13 @@ import rigibo.lab.plot.Drawing;
 import java.util.List;
 
 /**
- * A part of a report: sentences, figures and tables. @param name name of its files, without an
- * ending @param title its heading @param sentences before the figure @param figures the wide
- * figure, and the narrow one for phones; may be empty @param tables after the figure
+ * A part of a report: sentences, figures and tables.
+ *
+ * @param name name of its files, without an ending
+ * @param title its heading
+ * @param sentences before the figure
+ * @param figures the wide figure, and the narrow one for phones; may be empty
+ * @param tables after the figure
  */
 public record Section(
         String name,

@@ -67,7 +67,8 @@ public final class Bounces {
      *
      * @param time s since the fall began
      * @param leeway s by which an impact may be early or late, so that a flight is not compared
-     *     with the one before it @param apex apex of the present flight, m above the floor
+     *     with the one before it
+     * @param apex apex of the present flight, m above the floor
      */
     public double apexError(double time, double leeway, double apex) {
         int most = impactsUntil(time + leeway);

@@ -54,8 +54,10 @@ public final class Joining {
     }
 
     /**
-     * One end of a joint in the making. @param item the item to hold; empty for the backdrop, which
-     * gets a hook @param at the place, m
+     * One end of a joint in the making.
+     *
+     * @param item the item to hold; empty for the backdrop, which gets a hook
+     * @param at the place, m
      */
     public record End(Optional<Item> item, Point at) {}
 

@@ -105,8 +105,10 @@ public final class DraftFiles {
 
     /**
      * Saves a draft to its file. A draft without a file, or with that of a level of the game, gets
-     * a new file and a new id. @throws IOException when it cannot be written, or is too large to be
-     * read again; the file is then unchanged
+     * a new file and a new id.
+     *
+     * @throws IOException when it cannot be written, or is too large to be read again; the file is
+     *     then unchanged
      */
     public DraftFile save(DraftFile from) throws IOException {
         DraftFile into = hasOwn(from) ? identified(from) : named(from.draft());

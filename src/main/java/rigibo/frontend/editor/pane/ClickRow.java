@@ -14,9 +14,9 @@ import java.util.function.Consumer;
 final class ClickRow {
 
     /**
-     * An option of the row. @param verb the click's effect; empty for a body that clicks leave
-     * alone
+     * An option of the row.
      *
+     * @param verb the click's effect; empty for a body that clicks leave alone
      * @param isOn whether a switch is on at the start
      */
     record Choice(Optional<Verb> verb, boolean isOn) {

@@ -183,8 +183,9 @@ final class Column {
     }
 
     /**
-     * The content of a field. @param text its value, or the text being typed into it
+     * The content of a field.
      *
+     * @param text its value, or the text being typed into it
      * @param font words or numbers
      * @param isTyped whether it is being typed into
      */

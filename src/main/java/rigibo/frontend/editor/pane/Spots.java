@@ -11,9 +11,10 @@ import java.util.Optional;
 public final class Spots {
 
     /**
-     * A place to press. @param area its area @param name its name; empty for a plate that only
-     * keeps presses from what lies below
+     * A place to press.
      *
+     * @param area its area
+     * @param name its name; empty for a plate that only keeps presses from what lies below
      * @param kind whether it is a switch
      * @param words the sentence shown while the pointer is on it; may be empty
      * @param action what a press does

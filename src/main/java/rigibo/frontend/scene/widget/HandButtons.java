@@ -50,7 +50,8 @@ public final class HandButtons {
     /**
      * The buttons of a running scene that is one of several.
      *
-     * @param leave goes back @param beside shows the scene that is a number of places further on
+     * @param leave goes back
+     * @param beside shows the scene that is a number of places further on
      */
     public static List<Item> ofSeveral(
             Words words,

@@ -24,8 +24,10 @@ import java.util.function.Consumer;
  * Runs each moving scene in every contestant, each run in its own process.
  *
  * @param scenes in the order of the report
- * @param contestants in the order of the report @param steps of each scene at most @param runs
- *     number of runs by which each step is timed @param out directory where results are kept
+ * @param contestants in the order of the report
+ * @param steps of each scene at most
+ * @param runs number of runs by which each step is timed
+ * @param out directory where results are kept
  */
 public record MovingBench(
         List<BenchScene> scenes, List<Contestant> contestants, int steps, int runs, Path out) {

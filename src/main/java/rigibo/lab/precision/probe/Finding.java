@@ -9,9 +9,10 @@ import java.util.Optional;
 /**
  * The result of an engine at a problem.
  *
- * @param errors errors of the run, or why it failed @param steps number of steps, of all worlds
- *     together @param work counted work of these steps @param timing times of the steps; empty if
- *     they were not measured
+ * @param errors errors of the run, or why it failed
+ * @param steps number of steps, of all worlds together
+ * @param work counted work of these steps
+ * @param timing times of the steps; empty if they were not measured
  */
 public record Finding(Errors errors, long steps, Work work, Optional<Timing> timing) {
 
