@@ -80,7 +80,7 @@ class DemoLegibilityTest {
         }
     }
 
-    /** The texts about the dial, the numbers beside or below it, and each effect. */
+    /** What is told of the dial, of the numbers beside or below it, and of each effect. */
     @ParameterizedTest
     @MethodSource("demos")
     void isLegibleWhateverIsPointedAt(SceneEntry demo, String language) {

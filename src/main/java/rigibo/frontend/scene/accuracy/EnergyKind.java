@@ -38,7 +38,7 @@ public enum EnergyKind {
         return pool.bodies().stream().anyMatch(body -> body.type() == BodyType.KINEMATIC);
     }
 
-    /** In every pair that collides one body is dynamic, and the greater elasticity counts. */
+    /** Of every pair that meets one is dynamic, and the greater of the two elasticities counts. */
     private static boolean losesInImpacts(Pool pool) {
         Effects effects = pool.effects();
         return effects.declares(Contacts.class)

@@ -88,7 +88,7 @@ final class CostTrial {
             present.effects(effects);
         }
         for (int i = -WARMING_STEPS; i < steps; i++) {
-            // The two take turns in going first, since the second one finds warm caches.
+            // Whoever goes second finds warm caches: they take turns.
             boolean isFirst = i % 2 == 0;
             long early = time(isFirst ? present : other);
             long late = time(isFirst ? other : present);
