@@ -13,7 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** What the table "Adding things" of CONTRIBUTING says is to be touched is there. */
+/** Every file and class named in CONTRIBUTING's table "Adding things" exists. */
 class AddingThingsTest {
 
     private static final Path HOME = Path.of(System.getProperty("rigibo.home", ""));

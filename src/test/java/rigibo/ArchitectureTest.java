@@ -32,7 +32,9 @@ import java.util.stream.Stream;
 /** The arrows between the rooms run one way. */
 class ArchitectureTest {
 
-    /** Of the directory or archive that {@code Main} is in, which leaves tests and examples out. */
+    /**
+     * The classes of the directory or archive that holds {@code Main}, without tests and examples.
+     */
     private static final JavaClasses CLASSES = classesBeside(Main.class);
 
     private static final JavaClasses EXAMPLES = classesBeside(FallingCrate.class);
@@ -45,7 +47,7 @@ class ArchitectureTest {
     /** The only room that knows threads: where there are none, nothing else is missing. */
     private static final String TEAM = BACKEND + ".team";
 
-    /** What the engine shows of itself; only these rooms are seen from outside it. */
+    /** The engine's public rooms: only these may be used from outside it. */
     private static final String[] PUBLIC_FACE = {
         BACKEND, BACKEND + ".geometry", BACKEND + ".setup", BACKEND + ".effect"
     };
@@ -77,7 +79,7 @@ class ArchitectureTest {
                     "fma",
                     "IEEEremainder");
 
-    /** Whose classes make or judge what must be the same everywhere. */
+    /** Rooms whose classes produce or judge results that must be the same everywhere. */
     private static final String[] SAME_BITS_EVERYWHERE = {
         BACKEND + "..",
         PUZZLE + ".level..",
@@ -203,7 +205,7 @@ class ArchitectureTest {
         check(room, COLLISION, JavaClass::getPackageName);
     }
 
-    /** Of what a room uses, only that within the whole is asked for. */
+    /** Only dependencies within the whole program are checked. */
     private static void check(Room room, String whole, Function<JavaClass, String> roomOf) {
         Set<String> allowed = Arrays.stream(room.uses()).collect(Collectors.toSet());
         classes()

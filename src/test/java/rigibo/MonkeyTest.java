@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import rigibo.frontend.catalog.Catalog;
 import rigibo.frontend.display.Monkey;
 
-/** What the game bears, in real windows. {@code ./rigibo monkey} asks for longer. */
+/** The game survives random input in real windows. {@code ./rigibo monkey} runs for longer. */
 class MonkeyTest {
 
     private static final int HALF_A_MINUTE = 1800;

@@ -14,7 +14,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** What the pages say of the tree. */
+/** The pages name only files and classes that exist. */
 class PagesTest {
 
     private static final Path HOME = Path.of(System.getProperty("rigibo.home", ""));

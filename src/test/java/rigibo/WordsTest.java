@@ -15,7 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** The engine speaks the field's words; its own few stand in the glossary. */
+/** Code and pages use the field's words; our own few stand in the glossary. */
 class WordsTest {
 
     private static final Path HOME = Path.of(System.getProperty("rigibo.home"));
@@ -35,6 +35,37 @@ class WordsTest {
             assertThat(found.matcher(Files.readString(file)).find())
                     .as("%s says '%s', which is %s", HOME.relativize(file), retired, instead)
                     .isFalse();
+        }
+    }
+
+    /** The decisions tell history in the words of their time. */
+    @ParameterizedTest
+    @CsvSource({
+        "a blow, an impact",
+        "ledger, a list",
+        "surprise, what was not foreseen",
+        "in a hand, in a handheld window",
+        "on a desk, in a desktop window"
+    })
+    void pagesDoWithoutRetiredWords(String retired, String instead) throws IOException {
+        Pattern found = Pattern.compile("\\b" + retired + "s?\\b", Pattern.CASE_INSENSITIVE);
+        for (Path page : pages()) {
+            String name = HOME.relativize(page).toString();
+            String text = Files.readString(page).replaceAll("\\s+", " ");
+            if (!page.equals(GLOSSARY)) {
+                assertThat(found.matcher(text).find())
+                        .as("%s says '%s', which is %s", name, retired, instead)
+                        .isFalse();
+            }
+        }
+    }
+
+    private static List<Path> pages() throws IOException {
+        try (Stream<Path> files = Files.walk(HOME.resolve("docs"))) {
+            Stream<Path> own = Stream.of("README.md", "CONTRIBUTING.md").map(HOME::resolve);
+            return Stream.concat(own, files.filter(file -> file.toString().endsWith(".md")))
+                    .filter(file -> !file.startsWith(HOME.resolve("docs/decisions")))
+                    .toList();
         }
     }
 

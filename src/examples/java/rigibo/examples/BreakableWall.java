@@ -13,7 +13,7 @@ import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.Sketch;
 import rigibo.frontend.gallery.View;
 
-/** Bricks held together by mortar that bears so much; a ball breaks what it cannot bear. */
+/** Bricks held together by mortar of limited strength; a ball breaks joints that are overloaded. */
 public final class BreakableWall implements Exhibit {
 
     static final double MOST = 9_000; // N

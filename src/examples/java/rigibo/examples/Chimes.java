@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** What hit whom, how fast and when within the step: bars flash as balls fall on them. */
+/** Hits: which bodies met, how fast, and when within the step. Bars flash as balls fall on them. */
 public final class Chimes implements Exhibit {
 
     private static final double FADE = 1; // s

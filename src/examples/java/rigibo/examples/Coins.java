@@ -12,7 +12,10 @@ import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.Sketch;
 import rigibo.frontend.gallery.View;
 
-/** Coins are sensors: they touch nothing, tell who is inside, and go when the ball was. */
+/**
+ * Coins are sensors: they touch nothing, report the bodies inside them, and vanish once the ball
+ * was inside.
+ */
 public final class Coins implements Exhibit {
 
     static final int COUNT = 7;

@@ -22,7 +22,7 @@ import java.util.List;
 /** Eleven bones and ten hinges with limits, each held a little by a motor that stands still. */
 public final class Ragdoll implements Exhibit {
 
-    /** N·m that a joint resists with, for each kg of the bone that it moves. */
+    /** Torque by which a joint resists, N·m for each kg of the bone that it moves. */
     private static final double STIFFNESS = 0.15;
 
     final List<Joint> joints = new ArrayList<>();

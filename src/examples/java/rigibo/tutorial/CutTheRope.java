@@ -75,7 +75,7 @@ public final class CutTheRope {
         return ball().y() < -1;
     }
 
-    /** A copy of the game as it is now, at another accuracy. */
+    /** A copy of the game's present state, at another accuracy. */
     CutTheRope copy(Accuracy accuracy) {
         CutTheRope copy = new CutTheRope(Pool.restore(pool.snapshot()));
         copy.pool.accuracy(accuracy);

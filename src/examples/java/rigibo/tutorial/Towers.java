@@ -44,7 +44,7 @@ public final class Towers {
         return pool;
     }
 
-    /** What the floor carries, N: the forces of its contacts in the last step. */
+    /** The load on the floor, N: the forces of its contacts in the last step. */
     static double carried(Pool pool) {
         RigidBody floor = pool.bodies().get(0);
         double[] sum = {0};

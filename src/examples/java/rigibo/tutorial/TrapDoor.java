@@ -52,7 +52,10 @@ public final class TrapDoor {
         return false;
     }
 
-    /** Prints what is below the ball, when the eye sees it, and how fast it lands on the floor. */
+    /**
+     * Prints the distance to the body below the ball, the step in which the eye sees the ball, and
+     * its speed at the floor.
+     */
     public static void main(String[] arguments) {
         Pool pool = open();
         Trap trap = build(pool);

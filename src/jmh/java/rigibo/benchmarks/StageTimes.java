@@ -8,8 +8,8 @@ import rigibo.backend.StepReport;
 import rigibo.backend.setup.StepStage;
 
 /**
- * Time in the most expensive stages. Beside steps per second it is given per second, too: as shares
- * of the time, whose sum is almost 1.
+ * Time in the most expensive stages. JMH reports it per second, like the number of steps, that is,
+ * as shares of the time, whose sum is almost 1.
  */
 @State(Scope.Thread)
 @AuxCounters(AuxCounters.Type.OPERATIONS)

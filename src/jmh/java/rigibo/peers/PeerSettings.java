@@ -30,7 +30,7 @@ public final class PeerSettings {
         return List.of(DEFAULT, FINER);
     }
 
-    /** The iterations of a setting, for an engine's default number. */
+    /** The number of iterations of a setting, given the engine's default. */
     public static int iterations(Setting setting, int asTheyCome) {
         return setting.equals(FINER) ? FOURFOLD * asTheyCome : asTheyCome;
     }

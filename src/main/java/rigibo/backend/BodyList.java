@@ -109,7 +109,7 @@ final class BodyList extends AbstractList<RigidBody> implements RandomAccess {
     }
 
     /**
-     * Built on the iterator, which reports a change at once; the one that lists have by default
+     * Built on the iterator, which reports a change at once; the default spliterator of lists
      * reports it only at the end.
      */
     @Override

@@ -29,7 +29,7 @@ final class CopiedState {
     /**
      * Copies a pool's state.
      *
-     * @param edited the contacts that edits ended; null if none were asked for yet
+     * @param edited the contacts that edits ended; null if contacts were never read
      */
     void copy(LiveState live, BodyList bodies, EndedContacts edited) {
         columns.copy(live.data());

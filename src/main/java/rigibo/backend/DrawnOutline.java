@@ -8,7 +8,7 @@ import java.util.Arrays;
 /** The outline of a part of a body as points of the world, round parts as chords. */
 final class DrawnOutline {
 
-    /** Chords of a full turn: they leave the circle by half a hundredth of its radius. */
+    /** Chords of a full turn: they stay within 0.5 % of the radius of the circle. */
     private static final int ROUND = 32;
 
     private static final double[] COS = new double[ROUND];
@@ -54,7 +54,7 @@ final class DrawnOutline {
         double toX = radius * outline.normalX(corner);
         double toY = radius * outline.normalY(corner);
         double angle = Angle.atan2(fromX * toY - fromY * toX, fromX * toX + fromY * toY);
-        // Half a turn, at the end of a capsule, may come out as a negative one by round-off.
+        // By round-off the half turn at the end of a capsule may come out negative.
         angle = angle < 0 ? angle + 2 * StrictMath.PI : angle;
         int chords = Math.max(1, (int) StrictMath.ceil(angle * ROUND / (2 * StrictMath.PI)));
         for (int i = 0; i <= chords; i++) {

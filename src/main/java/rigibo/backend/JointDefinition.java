@@ -8,8 +8,8 @@ import rigibo.backend.setup.JointSpring;
 
 /**
  * The definition of a joint between two bodies; {@link Pool#join} makes a {@link Joint} from it.
- * Immutable: methods that change something return a changed copy. To joint a body to the world,
- * join it to a static body.
+ * Immutable: methods that change something return a changed copy. To fix a body to the world, join
+ * it to a static body.
  *
  * <pre>{@code
  * JointDefinition hinge = RevoluteJoint.at(door, crate, 0, 2).limits(-1, 1);

@@ -14,13 +14,13 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * A pool as a step left it, for the one thread that took it from {@link SharedView#read}; it does
- * not change while other threads step and edit the pool. Its queries answer what those of {@link
- * Pool} answered right after that step. The bodies that they name are the pool's own handles: ask
- * the picture where a body is, since the handle tells what the pool is just doing with it.
+ * A pool as a step left it, for the one thread that took it from {@link SharedView#read}. It does
+ * not change while another thread steps and edits the pool. Its queries give the answers that those
+ * of {@link Pool} would have given right after that step. They return the pool's own handles, which
+ * tell the present state. So ask the picture, not the handle, where a body was.
  *
- * <p>Every method but {@link #close} throws {@link IllegalStateException} after the picture was
- * closed, and every method does so on another thread; those that are given a body throw {@link
+ * <p>Every method throws {@link IllegalStateException} on another thread, and all but {@link
+ * #close} do after the picture was closed. Methods that take a body throw {@link
  * IllegalArgumentException} if the picture does not show it, see {@link #shows}.
  *
  * <pre>{@code
@@ -64,7 +64,7 @@ public final class Picture implements AutoCloseable {
         return lease.picture().roll.all();
     }
 
-    /** Whether a body was in the pool, whatever became of it since. */
+    /** Whether a body was in the pool when the picture was made. */
     public boolean shows(RigidBody body) {
         return lease.picture().roll.holds(Require.present("body", body));
     }
@@ -186,7 +186,7 @@ public final class Picture implements AutoCloseable {
     }
 
     /**
-     * Gives the picture back, so that a step may draw it anew.
+     * Gives the picture back, so that a later step may reuse its memory.
      *
      * @throws IllegalStateException when it was already closed, or when called by another thread or
      *     from a visitor of contacts

@@ -339,12 +339,13 @@ public final class Pool implements AutoCloseable {
 
     /**
      * Sets the number of workers that share a step, the thread that steps among them. The same
-     * calls give the same bits for any number. More workers than cores are allowed and only slower.
-     * Steps with little to share are made by one worker. Shared are the narrow phase, islands, and
-     * the contacts of large ones; flight and the broad phase are not, nor islands side by side
-     * where a force varies along the path or a body has several parts.
+     * calls give the same bits for any number. More workers than cores are allowed but only slow a
+     * step down. One worker makes steps in which there is little to share. Workers share the narrow
+     * phase, the islands, and the contacts of large islands. They do not share flight or the broad
+     * phase. Where a force varies along the path or a body has several parts, islands are solved
+     * one after the other.
      *
-     * @param count 1 to 64; the threads of the others are daemons, and are parked between steps
+     * @param count 1 to 64; the other workers are daemon threads, parked between steps
      * @throws IllegalArgumentException when the count is out of its range
      * @throws IllegalStateException when called within a step or from a visitor
      */
@@ -357,11 +358,11 @@ public final class Pool implements AutoCloseable {
     }
 
     /**
-     * Finds out what workers would bring on a machine with a core for each: from now on the thread
-     * that steps does the shares of all of them, one after the other, with the same bits, and
-     * {@link StepReport#spared()} tells how much earlier a step would have ended. That is a
-     * computation, and a bound: no thread has to wake up and no memory moves from core to core.
-     * {@link #workers(int)} ends it.
+     * Rehearses a step with workers, to find out what they would bring on a machine with a core for
+     * each. From now on the thread that steps does the work of all of them, one after the other,
+     * with the same bits. {@link StepReport#spared()} then tells how much earlier a step would have
+     * ended. Real workers save less, since threads have to wake up and memory moves from core to
+     * core. {@link #workers(int)} ends the rehearsal.
      *
      * @param count 1 to 64
      * @throws IllegalArgumentException when the count is out of its range
@@ -376,9 +377,9 @@ public final class Pool implements AutoCloseable {
     }
 
     /**
-     * From now on makes a picture of every finished step, which any thread may query while the next
-     * step runs; until the first call, steps do nothing for it. Only for the thread that uses the
-     * pool, which hands the view to others.
+     * Shares the pool with other threads: from now on they may query the last finished step while
+     * the next one runs. Call it from the thread that uses the pool, and hand the view to the
+     * others. Until the first call, sharing costs nothing.
      *
      * @return the same view at every call, until the pool is closed
      * @throws IllegalStateException when called first within a step
@@ -392,9 +393,8 @@ public final class Pool implements AutoCloseable {
     }
 
     /**
-     * Ends the threads of further workers and the view that is shared; the pool goes on with one
-     * worker, and steps make no more pictures. The threads also end when nothing refers to the pool
-     * any more.
+     * Ends the threads of other workers and the shared view. The pool stays usable, with one worker
+     * and without pictures. The threads also end once nothing refers to the pool any more.
      *
      * @throws IllegalStateException when called within a step or from a visitor
      */

@@ -16,12 +16,12 @@ final class PoolWorkers {
         return team == null ? 1 : team.size();
     }
 
-    /** Whether there are as many workers, with threads of their own or without. */
+    /** Whether the team has this many workers and is, or is not, a rehearsal. */
     boolean are(int workers, boolean areRehearsed) {
         return count() == workers && (team == null || this.areRehearsed == areRehearsed);
     }
 
-    /** Ends the present team, and returns one of a number of workers; null for one. */
+    /** Ends the present team and returns a team of this many workers; null for one worker. */
     Team hire(int workers) {
         ThreadTeam hired = workers == 1 ? null : new ThreadTeam(workers);
         if (hired != null) {
@@ -30,7 +30,9 @@ final class PoolWorkers {
         return replace(hired, false);
     }
 
-    /** Ends the present team, and returns one without threads; null for one worker. */
+    /**
+     * Ends the present team and returns one without threads for a rehearsal; null for one worker.
+     */
     Team rehearse(int workers) {
         return replace(workers == 1 ? null : new RehearsedTeam(workers, System::nanoTime), true);
     }

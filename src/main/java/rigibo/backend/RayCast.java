@@ -106,14 +106,17 @@ final class RayCast {
         }
     }
 
-    /** For a body in one piece always false: the ray test itself leaves out bodies it starts in. */
+    /**
+     * Always false for a body in one piece: the ray test itself leaves out a body in which the ray
+     * starts.
+     */
     private boolean startsWithin(int body) {
         return bodies.nextShapeOf(body) != Pairs.NONE && queries.holds(body, fromX, fromY);
     }
 
     /**
-     * Whether a shape belongs before the hit one, by the order in which bodies were added and then
-     * of parts; slots are reused, so their order does not tell.
+     * Whether a shape comes before the hit one: by the order in which bodies were added, then by
+     * the order of parts. Slots are reused, so their order does not tell.
      */
     private boolean isFirstAdded(int slot) {
         if (met == NOBODY) {

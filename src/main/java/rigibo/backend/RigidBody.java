@@ -28,7 +28,7 @@ public final class RigidBody {
     private final Pool pool;
     private final String name;
 
-    /** Of a removed body the complement of the slot that it had. */
+    /** The slot; once the body is removed, the complement of the slot it had. */
     private int slot;
 
     private Object tag;
@@ -144,7 +144,10 @@ public final class RigidBody {
         return pool.editor().filter(slot, part);
     }
 
-    /** Whether all parts of the shape are sensors: they touch nothing and report who is inside. */
+    /**
+     * Whether all parts of the shape are sensors, which touch nothing and report the bodies inside
+     * them.
+     */
     public boolean isSensor() {
         Bodies bodies = columns();
         boolean isSensor = true;

@@ -11,10 +11,13 @@ final class Roll {
     private int[] places = {};
     private int count;
 
-    /** Of the list at the last copy. A new list has edition 0, and holds nothing, as this does. */
+    /**
+     * Edition of the list at the last copy. It begins at 0, since a new list has edition 0 and is
+     * as empty as this.
+     */
     private int edition;
 
-    /** Copies a list, unless it is as it was at the last copy. */
+    /** Copies a list, unless it has not changed since the last copy. */
     void copy(BodyList bodies) {
         if (edition == bodies.edition()) {
             return;

@@ -4,8 +4,8 @@ import rigibo.backend.team.Exchange;
 
 /**
  * Lets any thread query a pool while it steps. Each finished step makes a picture of the pool, and
- * a reader takes the newest one: neither waits for the other. What is edited between steps is seen
- * in the picture of the next step, or at once after {@link #publish}.
+ * a reader takes the newest one; neither waits for the other. An edit between steps shows in the
+ * picture of the next step, or at once after {@link #publish}.
  *
  * <pre>{@code
  * SharedView view = pool.shared(); // on the thread that steps
@@ -15,14 +15,14 @@ import rigibo.backend.team.Exchange;
  * }
  * }</pre>
  *
- * <p>A step copies what queries read, about 180 bytes a body and 120 a pair; it never waits for
- * readers and, once warm, allocates nothing. As many copies are kept as pictures were ever open at
- * once, and two more. Pictures tell poses, shapes and contacts; joints, hits and what sensors saw
- * are told by the pool alone.
+ * <p>A step copies what queries read, about 180 bytes a body and 120 a pair. It never waits for
+ * readers and, once warm, allocates nothing. The pool keeps two copies more than pictures were ever
+ * open at once. Pictures tell poses, shapes and contacts; only the pool tells joints, hits and what
+ * sensors saw.
  */
 public final class SharedView {
 
-    /** Most pictures that may be open at once, in all threads together. */
+    /** Most pictures that may be open at once, all threads counted. */
     public static final int MOST_OPEN = Exchange.MOST_OPEN;
 
     private final Pool pool;
@@ -84,7 +84,7 @@ public final class SharedView {
         return exchange.pictures();
     }
 
-    /** Ends readings; pictures that are open may be read on. */
+    /** Refuses further readings; open pictures can still be read. */
     void end() {
         exchange.close();
     }

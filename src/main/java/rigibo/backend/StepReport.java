@@ -86,16 +86,16 @@ public final class StepReport {
     }
 
     /**
-     * Islands that workers shared; 0 where there was too little to share, or one worker. With
-     * {@link #splits()} and times it is what of a report depends on {@link Pool#workers(int)}.
+     * Islands that workers shared; 0 with one worker, and where there was too little to share. Of
+     * all counts only this one and {@link #splits()} depend on {@link Pool#workers(int)}.
      */
     public int sharedIslands() {
         return counters.sharedIslands;
     }
 
     /**
-     * Number of times that work was split among workers, islands, pairs or contacts of one colour;
-     * 0 with one worker, and where there is too little to share.
+     * How often work was split among workers: islands, pairs, or contacts of one colour. It is 0
+     * with one worker, and where there was too little to share.
      */
     public int splits() {
         return counters.splits;
@@ -103,8 +103,8 @@ public final class StepReport {
 
     /**
      * Time in ns by which the step would have been shorter with a core for each worker of {@link
-     * Pool#rehearse(int)}; 0 without a rehearsal. The time of the step less this is the longest
-     * path of its work: what has one order, and the longest share of all else.
+     * Pool#rehearse(int)}; 0 without a rehearsal. The rest of the step's time is the critical path:
+     * work that has to be done in order, and the longest share of all other work.
      */
     public long spared() {
         return counters.spared;
@@ -141,8 +141,8 @@ public final class StepReport {
     }
 
     /**
-     * Searches for bodies in flight around those of piles, of which each that is struck or led off
-     * its path takes one or two, and none what rests.
+     * Searches for bodies in flight around bodies of piles. A body that is struck or led off its
+     * path takes one or two, a body at rest none.
      */
     public int searches() {
         return counters.searches;

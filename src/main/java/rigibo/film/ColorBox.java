@@ -44,7 +44,7 @@ final class ColorBox {
         return Math.sqrt(histogram.count(bin));
     }
 
-    /** What would be won by splitting it; 0 for a single colour. */
+    /** The gain of splitting it; 0 for a single colour. */
     double spread() {
         return bins.size() < 2 ? 0 : variance[widest()];
     }
@@ -57,7 +57,7 @@ final class ColorBox {
         return widest;
     }
 
-    /** Both halves; never an empty one, for a mean lies between. */
+    /** Both halves; neither is empty, since the mean lies between their colours. */
     List<ColorBox> split() {
         int channel = widest();
         List<Integer> below = new ArrayList<>();

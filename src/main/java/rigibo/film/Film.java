@@ -33,7 +33,7 @@ public final class Film {
     /** A film that does not end by then never will, frames. */
     private static final int MOST_FRAMES = 120 * STEPS_PER_SECOND / STEPS_PER_FRAME;
 
-    /** Every so many frames are asked for their colours. */
+    /** One in this many frames is sampled for its colours. */
     private static final int SAMPLED = 12;
 
     private final Function<Director, Scene> scene;
@@ -45,7 +45,7 @@ public final class Film {
         this.screen = screen;
     }
 
-    /** What is done with the frames of a show. */
+    /** Receives the frames of a show. */
     private interface Viewer {
         void see(int number, boolean isLast) throws IOException;
     }

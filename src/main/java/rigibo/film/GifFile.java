@@ -17,8 +17,8 @@ import javax.imageio.stream.ImageOutputStream;
 
 /**
  * A GIF file that plays for ever (W3C, GIF89a specification; the extension that makes it loop is
- * Netscape's). Of each frame only the rectangle that differs from the one before is written, and in
- * it what is the same is left as it was.
+ * Netscape's). Of each frame only the rectangle that differs from the previous frame is written;
+ * within it, equal pixels are transparent.
  */
 final class GifFile implements AutoCloseable {
 
@@ -61,7 +61,7 @@ final class GifFile implements AutoCloseable {
         return metadata;
     }
 
-    /** Adds a frame that is seen for so many hundredths of a second. */
+    /** Adds a frame that is shown for a number of hundredths of a second. */
     void add(Frame frame, int hundredths) throws IOException {
         byte[] entries = new byte[frame.colors().length];
         for (int i = 0; i < entries.length; i++) {

@@ -42,10 +42,10 @@ public final class Fuzz {
     }
 
     /**
-     * Tries what an order asks for.
+     * Carries out an order.
      *
      * @param progress is told now and then how far it is
-     * @return what went wrong, and how to see it again; nothing where nothing did
+     * @return the failures, and how to repeat them; may be empty
      */
     public List<String> run(Order order, Consumer<String> progress) throws InterruptedException {
         return new Campaign(order, tally, watch, progress).run(subjects());

@@ -5,12 +5,12 @@ import java.util.concurrent.TimeUnit;
 /**
  * What to try, and for how long.
  *
- * @param seed of everything: the same seed tries the same
- * @param first index of those of the seed that is tried
- * @param programs how many at most
- * @param files how many at most
- * @param failures after how many it is enough
- * @param end of {@code System.nanoTime}, when it is enough
+ * @param seed of all random numbers: equal seeds try the same
+ * @param first index of the first program or file that is tried
+ * @param programs number of programs at most
+ * @param files number of files at most
+ * @param failures number of failures after which to stop
+ * @param end {@code System.nanoTime} at which to stop
  */
 public record Order(long seed, long first, long programs, long files, long failures, long end) {
 

@@ -9,7 +9,7 @@ import rigibo.lab.child.ThreadUse;
 import java.util.Arrays;
 
 /**
- * The time that the flood saves without friction, as its demo switches it off: rotation goes too,
+ * The time that the flood saves without friction. As in its demo, rotation is switched off too,
  * since discs without friction do not need it. Two pools continue from one settled state and are
  * stepped in turn, so that disturbances affect both. Times are processor times of the thread.
  *

@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
-/** Whoever turns the dial between two steps does not disturb what rests. */
+/** Changing the accuracy between two steps does not disturb bodies at rest. */
 class AccuracyChangeTest {
 
     private static final double STEP = 1.0 / 60;

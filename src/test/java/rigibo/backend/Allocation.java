@@ -4,7 +4,7 @@ import com.sun.management.ThreadMXBean;
 
 import java.lang.management.ManagementFactory;
 
-/** What a piece of work allocates once it is warm. */
+/** Measures what a piece of work allocates once it is warm. */
 public final class Allocation {
 
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();

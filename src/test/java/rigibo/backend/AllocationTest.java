@@ -9,9 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A warm step allocates not a byte; told by a Java of its own that has only its first compiler. The
- * optimizing one would hide what it can prove to stay on the stack, and makes the text constants of
- * a method's class on the thread that runs when the method is first compiled.
+ * A warm step allocates no byte. A separate Java measures that, with its first compiler only. The
+ * optimizing compiler would hide objects that it can keep on the stack; it also allocates text
+ * constants on the thread that is running when a method is first compiled.
  */
 class AllocationTest {
 
@@ -23,7 +23,7 @@ class AllocationTest {
 
     private static final int STEPS = 1000;
 
-    /** What is run: every scene; prints the bytes that its steps allocated. */
+    /** Runs every scene in the other Java and prints the bytes that its steps allocated. */
     public static void main(String[] arguments) {
         for (Scenes scene : Scenes.values()) {
             System.out.println(scene + " " + bytesOfSteps(scene.build()));
@@ -47,7 +47,7 @@ class AllocationTest {
 
     private static long bytesOfSteps(Pool pool) {
         Scenes.run(pool, WARM_UP);
-        // The question itself may allocate the first time it is asked.
+        // The measurement itself may allocate the first time.
         Allocation.bytes();
         long before = Allocation.bytes();
         long asked = Allocation.bytes() - before;

@@ -59,7 +59,7 @@ class AxisLockEditsTest {
         assertThat(ball.y()).isEqualTo(y - G / 2, within(1e-9));
     }
 
-    /** What lay on a locked shelf falls when the shelf is let go, also out of sleep. */
+    /** Bodies on a locked shelf fall when the shelf is unlocked, even if they sleep. */
     @Test
     void aShelfLetGoWakesWhatLiesOnIt() {
         Pool pool = new Pool();

@@ -24,9 +24,7 @@ import rigibo.backend.setup.Material;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Bodies that are kept from moving along x or y: along such an axis they are as heavy as ground.
- */
+/** Bodies locked along x or y: along a locked axis they have infinite mass. */
 class AxisLocksTest {
 
     private static final double DT = 1 / 60.0;
@@ -141,8 +139,8 @@ class AxisLocksTest {
                 pool.step(DT);
             }
             double impulse = 1.5 * 4 / (nx * nx / 3 + 1 / 2.0);
-            // What is within the tolerance touches: the normal may turn by that over the metre
-            // between the centres, and 4 m/s with it.
+            // Bodies within the tolerance count as touching. The normal may turn by the tolerance
+            // over the metre between the centres, and 4 m/s turn with it.
             double off = 4 * preset.accuracy.impactTolerance();
             assertThat(bead.velocityX()).isEqualTo(-impulse * nx / 3, within(off));
             assertThat(bead.velocityY()).isZero();
@@ -313,8 +311,8 @@ class AxisLocksTest {
     }
 
     /**
-     * Elastic and smooth, so that an impact takes no energy, wherever in a step it comes: what
-     * joins the locked body's island within the step is pulled at only from then on.
+     * Elastic and smooth, so that impacts take no energy, wherever in a step they come: a body that
+     * joins the locked body's island within the step is accelerated only from then on.
      */
     @ParameterizedTest
     @EnumSource(Presets.class)

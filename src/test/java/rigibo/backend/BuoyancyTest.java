@@ -35,7 +35,9 @@ class BuoyancyTest {
         return BodyDefinition.dynamic(shape).material(new Material(density, 0, 0));
     }
 
-    /** What weighs nothing in the water loses speed and spin as e^(−dt), whatever its shape. */
+    /**
+     * A body that weighs nothing in the water loses speed and spin as e^(−dt), whatever its shape.
+     */
     @ParameterizedTest
     @EnumSource(Level.class)
     void waterBrakesEveryPart(Level level) {

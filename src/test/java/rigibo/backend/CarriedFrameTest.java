@@ -26,7 +26,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 
-/** What is carried at a constant velocity fares as on a floor at rest. */
+/** A pile on a floor of constant velocity behaves as on a floor at rest. */
 class CarriedFrameTest {
 
     private static final Material ROUGH = new Material(1, 0.6, 0);
@@ -183,7 +183,7 @@ class CarriedFrameTest {
         pool.add(BodyDefinition.fixed(Polygon.box(1, 2)).at(1, 1).material(SMOOTH));
         RigidBody box = pool.add(box(ROUGH).at(0, 0.5));
         Scenes.run(pool, 60);
-        // What is driven gives way by a hundredth of g·h, which overlap recovery answers.
+        // A driven body yields by a hundredth of g·h, which overlap recovery takes back.
         assertThat(box.x()).isEqualTo(0, within(1e-4));
         assertThat(box.velocityX()).isEqualTo(0, within(1e-4));
     }

@@ -28,8 +28,8 @@ class ChainCrowdTest {
     private static final double HALF = 10;
 
     /**
-     * What holds of heaps on a floor in one piece, 0.02 widths, holds on edges of any length: flat
-     * ones, and waves whose ridges are as sharp as a body is wide.
+     * The limit of overlap for heaps on a floor in one piece, 0.02 widths, also holds on edges of
+     * any length: on flat ones, and on waves whose ridges are as sharp as a body is wide.
      */
     @ParameterizedTest
     @ValueSource(ints = {16, 50, 200, 1000})

@@ -57,7 +57,9 @@ final class ChildJvm {
                 .orElse(0);
     }
 
-    /** What a main class prints, run to its end with the class path of the tests. */
+    /**
+     * Runs a main class to its end with the class path of the tests, and returns what it prints.
+     */
     static String output(Path home, List<String> options, Class<?> main, String... arguments)
             throws IOException, InterruptedException {
         List<String> command = new ArrayList<>();

@@ -265,7 +265,7 @@ class CompoundBodyTest {
         assertThat(fixture.maxY).isGreaterThanOrEqualTo(0.55);
     }
 
-    /** What is exchanged, removed, retyped or restored leaves nothing of its parts behind. */
+    /** A compound that is exchanged, removed, retyped or restored leaves no part behind. */
     @Test
     void aReportCountsBodiesAndNotTheirParts() {
         Pool pool = new Pool();

@@ -229,7 +229,7 @@ class ContactEndsTest {
         assertThat(restored.stateHash()).isEqualTo(pool.stateHash());
     }
 
-    /** What both pools can name, by slots. */
+    /** The contacts that both pools can name, by slots. */
     private static List<String> told(Pool pool) {
         List<String> told = new ArrayList<>();
         pool.forEachContact(

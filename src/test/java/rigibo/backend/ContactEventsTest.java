@@ -13,7 +13,7 @@ import rigibo.backend.setup.Material;
 
 import java.util.List;
 
-/** What touches is told when it begins, while it lasts and when it ends. */
+/** Contacts are reported when they begin, while they last and when they end. */
 class ContactEventsTest {
 
     private final Pool pool = Scenes.restless();

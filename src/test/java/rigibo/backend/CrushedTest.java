@@ -100,7 +100,10 @@ class CrushedTest {
         }
     }
 
-    /** Of what overlaps by half a tenth of a width at rest nothing is told: it only parts. */
+    /**
+     * Bodies at rest that overlap by a twentieth of a width are not reported as crushed; they only
+     * part.
+     */
     @Test
     void whatTouchesIsNotToldAsCrushed() {
         Pool pool = pool(NO_WEIGHT);
@@ -119,7 +122,7 @@ class CrushedTest {
         RigidBody other = pool.add(heavy.at(-1.3, 0).material(MATTER));
         for (int step = 0; step < 120; step++) {
             pool.step(Scenes.DT);
-            // Of every overlap 10⁻⁵ of a width stays.
+            // Of every overlap, 10⁻⁵ of a width is left.
             assertThat(light.x()).as("step %d", step).isLessThan(-0.5 + 1.1e-5);
         }
         assertThat(light.x() - other.x()).isGreaterThan(1 - 2e-3);

@@ -84,8 +84,8 @@ class DampedSpringTest {
     }
 
     /**
-     * What rests sags by g/ω², however its swing is followed. Rest is found at speeds that leave
-     * some 1e-11 m to go.
+     * At rest a spring sags by g/ω², however its oscillation is integrated. Rest is found at speeds
+     * that leave some 1e-11 m to go.
      */
     @Test
     void whatRestsSagsByItsWeight() {

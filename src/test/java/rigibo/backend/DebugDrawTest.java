@@ -29,7 +29,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What a pool tells a debug drawing of itself. */
+/** The calls that a pool makes to a debug drawing. */
 class DebugDrawTest {
 
     private static final double STEP = 1.0 / 60;

@@ -39,7 +39,7 @@ import rigibo.backend.setup.Material;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What is refused at the door, and in which words. */
+/** Bad input is refused, and the messages say why. */
 class DoorTest {
 
     private static final BodyDefinition BOX = BodyDefinition.dynamic(Polygon.box(1, 1));

@@ -13,8 +13,9 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
 /**
- * What is too slow to leave its place in the time of falling asleep, and goes on for ever, for
- * nothing resists it. Sleep's thresholds are 0.1 mm for a metre of width in half a second.
+ * Bodies too slow to leave their place in the sleep time, which nevertheless move on for ever,
+ * since nothing resists them. The thresholds of sleep are 0.1 mm for a metre of width in half a
+ * second.
  */
 class DriftTest {
 

@@ -82,7 +82,7 @@ class DrivenInPileTest {
             RigidBody box = pool.add(BodyDefinition.dynamic(Polygon.box(BOX, BOX)).at(3, 0));
             Scenes.run(pool, 60);
             double above = box.y() - BOX / 2 - (speed * pool.time() - 0.5);
-            // Of the overlap there was, e^(−25) is left a second later, and what is kept of it.
+            // A second later e^(−25) of the overlap is left, plus the kept overlap.
             assertThat(above).as("at %d m/s", speed).isEqualTo(0, within(2e-5));
         }
     }

@@ -20,7 +20,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 
-/** What a game asks of a body every day: where its points are, drives, sleep, absences. */
+/** Everyday calls of a game: the places of a body's points, drives, sleep, disabling. */
 class EverydayTest {
 
     private static final double DT = 1 / 60.0;

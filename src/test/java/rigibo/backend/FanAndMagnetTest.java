@@ -146,7 +146,7 @@ class FanAndMagnetTest {
         assertThat(body.y()).isCloseTo(REACH - then, within(1e-9));
     }
 
-    /** What sleeps in a stream that was off wakes when it blows. */
+    /** A body asleep in a stream wakes when the stream is switched on. */
     @Test
     void aStreamThatIsSwitchedOnWakesWhatSleeps() {
         Gravity gravity = new Gravity(0, -10);

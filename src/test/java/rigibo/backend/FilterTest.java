@@ -69,9 +69,9 @@ class FilterTest {
     }
 
     /**
-     * Of 10⁵ bodies that overlap at random those are told to touch that are meant to, and nobody
-     * else; all can move, for what is fixed is one floor where it overlaps. Overlap is taken back
-     * at 3 m/s at most, so that who is 0.1 m away is not reached.
+     * Of 10⁵ bodies that overlap at random, exactly those whose filters meet are reported as
+     * touching; all can move, for what is fixed is one floor where it overlaps. Overlap is taken
+     * back at 3 m/s at most, so that who is 0.1 m away is not reached.
      */
     @Test
     void agreesWithAListOfAllPairs() {
@@ -142,7 +142,7 @@ class FilterTest {
         return new Placement(body.x(), body.y(), body.angle());
     }
 
-    /** What stood on it falls, and what falls on it afterwards is caught again. */
+    /** The body on it falls, and bodies that fall on it afterwards are caught again. */
     @Test
     void aChangeWakesWhatItMust() {
         Pool pool = new Pool();

@@ -83,7 +83,7 @@ class HitsTest {
         tellsAFall(Accuracy.EXACT, elasticity, 1e-9);
     }
 
-    /** What is missed by at most 1e-4 m is missed by less than that in m/s and s at 6 m/s. */
+    /** An error of at most 1e-4 m in place means a smaller one in m/s and in s, at 6 m/s. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
     void tellsAFallWithinThePresetsTolerance(double elasticity) {

@@ -234,7 +234,9 @@ class JointImpactsTest {
         assertThat(body.x()).isCloseTo(1 + 0.5 * Scenes.DT, within(1e-12));
     }
 
-    /** What rattles between two ends without loss keeps its speed, however short the way is. */
+    /**
+     * A body that rattles between two elastic limits keeps its speed, however short the distance.
+     */
     @Test
     void rattlesBetweenLimitsWithoutGain() {
         Pool pool = new Pool(JointScenes.SPACE, Accuracy.GAME);

@@ -14,7 +14,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 
-/** What scenes with joined bodies have in common. */
+/** Parts that scenes with joined bodies share. */
 final class JointScenes {
 
     static final double G = 9.81;
@@ -53,7 +53,7 @@ final class JointScenes {
         return pool.kineticEnergy() + pool.potentialEnergy() + springs;
     }
 
-    /** What joints hang from. */
+    /** The body that joints hang from. */
     static RigidBody hook(Pool pool, double x, double y) {
         return pool.add(BodyDefinition.fixed(Polygon.box(0.1, 0.1)).at(x, y).group(1));
     }

@@ -13,7 +13,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 
-/** What joined bodies take where no answer is the only one: work is counted, not timed. */
+/** The work of joined bodies whose impulses are not unique; it is counted, not timed. */
 @Execution(ExecutionMode.CONCURRENT)
 class JointWorkTest {
 

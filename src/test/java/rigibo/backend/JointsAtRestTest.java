@@ -277,7 +277,7 @@ class JointsAtRestTest {
         assertThat(lowest(pool)).isNotEqualTo(before);
     }
 
-    /** What the hook carries of a bar at rest on a limit is its weight, in every step. */
+    /** The hook carries the weight of a bar at rest on a limit, in every step. */
     @Test
     void theReactionIsToldOfWhatRests() {
         Pool pool = rested(Assembly.DOOR);

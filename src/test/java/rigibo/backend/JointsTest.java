@@ -221,7 +221,7 @@ class JointsTest {
         }
     }
 
-    /** Whatever its stiffness a spring gives way by m·g/k at rest. */
+    /** At rest a spring of any stiffness is stretched by m·g/k. */
     @ParameterizedTest
     @CsvSource({"2", "200", "2000"})
     void springBearsItsLoad(double hertz) {

@@ -25,7 +25,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 
-/** What is put together of parts does what the same outline does in one piece. */
+/** A body of several parts behaves like a body in one piece with the same outline. */
 class OnePieceTest {
 
     private static final double DT = 1 / 60.0;

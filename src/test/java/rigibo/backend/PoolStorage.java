@@ -9,7 +9,7 @@ public final class PoolStorage {
 
     private PoolStorage() {}
 
-    /** What a pool computes with. */
+    /** Gives tests access to a pool's storage. */
     public static DataStorage of(Pool pool) {
         try {
             Field data = Pool.class.getDeclaredField("data");

@@ -69,7 +69,7 @@ class RestTest {
                         .filter(event -> event.a() == boxes.get(0) || event.b() == boxes.get(0))
                         .mapToDouble(ContactEvent::impulse)
                         .sum();
-        // What is left unsolved is at most 10⁻⁶ of the fastest speed, at DRAFT 10⁻⁵.
+        // The solver leaves at most 10⁻⁶ of the fastest speed, at DRAFT 10⁻⁵.
         assertThat(carried).isEqualTo(weight * Scenes.DT, within(1e-5 * weight * Scenes.DT));
     }
 
@@ -297,7 +297,7 @@ class RestTest {
         Scenes.run(pool, 2 * SECOND);
         double rolling = 2.0 / 3 * gravity * Math.sin(slope) * 2 * SECOND * Scenes.DT;
         double speed = Math.hypot(disc.velocityX(), disc.velocityY());
-        // What rolls is exact but for what is left unsolved; it may settle by 10⁻⁵ of its width.
+        // Rolling is exact up to the solver's residual; a body may settle by 10⁻⁵ of its width.
         assertThat(speed).isEqualTo(rolling, within(1e-4));
     }
 

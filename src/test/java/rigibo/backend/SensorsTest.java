@@ -161,7 +161,10 @@ class SensorsTest {
         assertThat(crate.isAwake()).isFalse();
     }
 
-    /** What is removed, placed anew, disabled or filtered away has left with the step after. */
+    /**
+     * A visitor that is removed, moved, disabled or filtered out is reported as having left by the
+     * next step.
+     */
     @Test
     void tellsTheEndAlsoAfterAnEdit() {
         Pool pool = new Pool(AWAKE.without(Gravity.class), Accuracy.GAME);

@@ -11,7 +11,10 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 
-/** What sharing costs: nothing where it is not asked for; no bit and no garbage where it is. */
+/**
+ * Sharing costs nothing in a pool that is not shared; in one that is, it changes no bit and makes
+ * no garbage.
+ */
 class SharedCostTest {
 
     /** Columns of pairs double when more meet than ever before, which is over by then. */
@@ -25,7 +28,7 @@ class SharedCostTest {
     /** Pictures that a reader holds while steps go on, the oldest given back in each. */
     private static final int HELD = 3;
 
-    /** What is run: measured scenes, whose pools share or do not. */
+    /** Runs the measured scenes, with shared pools or without. */
     public static void main(String[] arguments) {
         for (Scenes scene : MEASURED) {
             Pool pool = scene.build();

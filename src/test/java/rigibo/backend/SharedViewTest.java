@@ -21,7 +21,9 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 
-/** What readers of a shared view are told, and when; steps and readers interleave as stated. */
+/**
+ * What readers of a shared view see, and when; steps and readers interleave as each test states.
+ */
 @Timeout(60)
 class SharedViewTest {
 

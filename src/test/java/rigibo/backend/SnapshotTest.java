@@ -100,7 +100,7 @@ class SnapshotTest {
         }
     }
 
-    /** Whatever a stage kept for itself from one step to the next would be missing here. */
+    /** Anything a stage kept from one step to the next without saving it would be missing here. */
     @ParameterizedTest
     @EnumSource(Presets.class)
     void nothingLastsFromStepToStepButWhatASnapshotHolds(Presets preset) {
@@ -186,7 +186,7 @@ class SnapshotTest {
         assertThat(restored.stateHash()).isEqualTo(pool.stateHash());
     }
 
-    /** What the water adds to a sleeper's weight was forgotten: it went on 15 mm elsewhere. */
+    /** Once the force of the water on a sleeper was not saved, and it went on 15 mm elsewhere. */
     @Test
     void sleepersInWaterThatAreStruckGoOnTheSame() {
         Effects water = Effects.usual().with(new Buoyancy(2, 0.5, 1)).with(new Sleep(0.2, 1e-3));

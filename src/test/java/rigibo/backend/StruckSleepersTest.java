@@ -12,7 +12,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
-/** What sleeps and is joined, and is woken within a step. */
+/** Joined sleepers that are woken within a step. */
 class StruckSleepersTest {
 
     private static final Effects EARTH = JointScenes.EARTH.with(new Friction()).with(new Sleep());

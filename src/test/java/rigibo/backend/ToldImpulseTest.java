@@ -16,7 +16,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Material;
 
-/** What contacts tell of their impulses where numbers leave all bounds. */
+/** The impulses that contacts report where numbers are out of all bounds. */
 class ToldImpulseTest {
 
     private static final Effects EFFECTS =

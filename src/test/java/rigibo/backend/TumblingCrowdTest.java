@@ -20,7 +20,7 @@ class TumblingCrowdTest {
     /** Until the last ones have landed. */
     private static final int STEPS = 170;
 
-    /** Of what rains in such numbers, in widths of the smaller body. */
+    /** Deepest overlap of such a rain, in widths of the smaller body. */
     private static final double MOST = 0.05;
 
     /**

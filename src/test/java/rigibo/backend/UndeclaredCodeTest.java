@@ -31,7 +31,7 @@ class UndeclaredCodeTest {
                     "collision",
                     "step");
 
-    /** What is run: a pool of gravity and of what is named. */
+    /** Runs a pool with gravity and the named effects. */
     public static void main(String[] arguments) {
         Effects effects = Effects.of(new Gravity(0, -9.81));
         for (String name : arguments) {
@@ -50,7 +50,7 @@ class UndeclaredCodeTest {
                 .orElseThrow();
     }
 
-    /** Of the effects that are forces, whatever else is declared. */
+    /** The classes of the effects that are forces, whatever else is declared. */
     private static final String[] FORCES = {
         "force.ThrustKernel",
         "force.TorqueKernel",
@@ -72,7 +72,7 @@ class UndeclaredCodeTest {
         "contact.row.DragKick"
     };
 
-    /** Of locked axes, which no effect declares, but a body that is locked. */
+    /** The classes of locked axes, which a locked body needs, not an effect. */
     private static final String[] LOCKS = {
         "force.LockedAxesKernel",
         "force.LockedAxesForce",
@@ -82,7 +82,7 @@ class UndeclaredCodeTest {
         "contact.JointedIslands"
     };
 
-    /** Of rotation. */
+    /** The classes of rotation. */
     private static final String[] TURNING = {
         "contact.row.PackedTurns",
         "contact.row.TurningRows",

@@ -22,8 +22,8 @@ import rigibo.backend.setup.Material;
 import java.util.Random;
 
 /**
- * What nothing holds moves, however weak the push: v = a·t on a smooth floor, whatever the body's
- * neighbours carry. What is held rests to the last bit, and is not solved again.
+ * A body that nothing holds moves, however weak the push: v = a·t on a smooth floor, whatever its
+ * neighbours carry. A body that is held rests to the last bit and is not solved again.
  */
 class WeakPushTest {
 

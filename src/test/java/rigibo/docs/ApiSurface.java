@@ -31,7 +31,7 @@ public final class ApiSurface {
 
     private static final Pattern EXPORT = Pattern.compile("exports ([\\w.]+);");
 
-    /** What every record and every enum has, whatever it is. */
+    /** Members that every record and every enum has. */
     private static final List<String> GIVEN =
             List.of("equals", "hashCode", "toString", "values", "valueOf");
 

@@ -20,7 +20,7 @@ final class StepPicture {
     private static final double MIDDLE = WIDTH / 2; // px
     private static final double SIDE = 170; // px, from the middle to the boxes beside each other
 
-    /** What a stage works on, under its name. */
+    /** The data of a stage, written under its name. */
     private static final Map<StepStage, String> WORK =
             Map.of(
                     StepStage.ACCEPT, "what you added and removed",

@@ -116,7 +116,7 @@ class EngineAloneTest {
                 "javac", "-d", to, "-cp", "", "-p", path, "--add-modules", module, "" + source);
     }
 
-    /** What a tool of the JDK prints when all is well. */
+    /** The output of a tool of the JDK when all is well. */
     private static String run(String tool, String... words) {
         JdkTool.Said said = JdkTool.call(tool, words);
         assertThat(said.status()).as("%s: %s", tool, said.words()).isZero();

@@ -14,7 +14,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 
-/** What each example shows, by what is true of it. */
+/** Checks of what each example shows. */
 class ExamplesTest {
 
     /**

@@ -12,7 +12,7 @@ import rigibo.backend.RigidBody;
 
 import java.util.List;
 
-/** What each example with joints shows, by what is true of it. */
+/** Checks of what each example with joints shows. */
 class JointExamplesTest {
 
     private static final double G = 9.81;

@@ -17,7 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Collectors;
 
-/** What the README and the page on the step show is what compiles and runs here. */
+/** The code shown in the README and in the page on the step compiles and runs. */
 class ReadmeTest {
 
     private static final Path EXAMPLE =

@@ -11,7 +11,7 @@ import java.util.List;
 /** Pieces of Java from Javadoc and pages, each compiled as the body of a method. */
 public final class Snippets {
 
-    /** What a piece may speak of without making it. */
+    /** Variables that a snippet may use without declaring them. */
     private static final String GIVEN =
             """
             import java.util.*;

@@ -20,7 +20,7 @@ import javax.imageio.ImageReader;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageInputStream;
 
-/** What is written is read again by the JDK's reader. */
+/** The JDK's reader reads back every file that is written. */
 class GifFileTest {
 
     private static final int WIDTH = 40;

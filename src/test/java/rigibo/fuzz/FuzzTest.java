@@ -14,8 +14,8 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * What the engine and the game bear. {@code ./rigibo fuzz} asks for more; what is told of a failure
- * says how to see it again.
+ * The engine and the game survive random input. {@code ./rigibo fuzz} tries more; the message of a
+ * failure says how to repeat it.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class FuzzTest {

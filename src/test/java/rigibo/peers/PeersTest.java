@@ -29,7 +29,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** Who the other engines are, and what they are not asked to do. */
+/** The other engines, and the scenes that they do not run. */
 class PeersTest {
 
     private static final Effects GROUND =

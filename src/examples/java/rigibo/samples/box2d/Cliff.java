@@ -9,7 +9,7 @@ import rigibo.backend.setup.Material;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
-/** What slides beyond the edge tips over when its middle is past it. */
+/** A body that slides beyond the edge tips over once its middle is past it. */
 public final class Cliff implements Exhibit {
     @Override
     public void build(Pool pool) {

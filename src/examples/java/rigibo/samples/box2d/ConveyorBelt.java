@@ -9,7 +9,7 @@ import rigibo.backend.setup.Material;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
-/** The surface runs, the body stands: what lies on it is carried. */
+/** The surface runs while the body stands still, so that it carries the bodies on it. */
 public final class ConveyorBelt implements Exhibit {
     @Override
     public void build(Pool pool) {

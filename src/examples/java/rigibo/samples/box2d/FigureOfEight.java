@@ -13,7 +13,7 @@ import rigibo.backend.setup.Material;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
-/** A driven box goes round an eight and pushes what is in its way. */
+/** A driven box moves along a figure of eight and pushes the bodies in its way. */
 public final class FigureOfEight implements Exhibit {
     private static final double DT = 1.0 / 60;
     private RigidBody driven;

@@ -13,7 +13,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
-/** A plate follows a target with no more than a force and a torque, and carries what lies on it. */
+/** A plate follows a target with limited force and torque, and carries the bodies on it. */
 public final class MotorJointSample implements Exhibit {
 
     private static final double HEIGHT = 3; // m

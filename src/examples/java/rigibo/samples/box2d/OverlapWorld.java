@@ -12,7 +12,7 @@ import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.Sketch;
 import rigibo.frontend.gallery.View;
 
-/** What a wandering shape reaches into is marked. */
+/** Marks the bodies that a wandering shape overlaps. */
 public final class OverlapWorld implements Exhibit {
     private static final Shape LENS = Polygon.regular(6, 1.2);
     private double phase;

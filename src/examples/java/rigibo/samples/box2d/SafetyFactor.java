@@ -10,7 +10,7 @@ import rigibo.frontend.gallery.View;
 
 import java.util.Locale;
 
-/** A heavy block drops on a stack; the deepest overlap is told. */
+/** A heavy block drops on a stack; the deepest overlap is shown. */
 public final class SafetyFactor implements Exhibit {
     @Override
     public void build(Pool pool) {

@@ -12,7 +12,7 @@ import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.Sketch;
 import rigibo.frontend.gallery.View;
 
-/** Fixed, driven and falling sensors: each tells of who is inside. */
+/** Static, kinematic and falling sensors: each reports the bodies inside it. */
 public final class SensorTypes implements Exhibit {
     private RigidBody driven;
 

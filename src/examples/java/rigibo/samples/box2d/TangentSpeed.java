@@ -10,7 +10,7 @@ import rigibo.backend.setup.Material;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
-/** Each edge runs at a speed of its own and carries what lies on it. */
+/** Each edge runs at a speed of its own and carries the bodies on it. */
 public final class TangentSpeed implements Exhibit {
     private static final Material BELT = new Material(1, 0.8, 0);
 

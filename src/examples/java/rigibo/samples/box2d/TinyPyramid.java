@@ -6,7 +6,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.frontend.gallery.Exhibit;
 import rigibo.frontend.gallery.View;
 
-/** Boxes of 5 cm, for the engine as good as those of 5 m. */
+/** Boxes of 5 cm, which the engine stacks as well as boxes of 5 m. */
 public final class TinyPyramid implements Exhibit {
     @Override
     public void build(Pool pool) {

@@ -21,7 +21,7 @@ public final class Tumbler implements Exhibit {
         }
     }
 
-    /** Four walls round a space of so many metres. */
+    /** Four walls around a square space of the given size, m. */
     static Compound drum(double inner) {
         double at = inner / 2 + 0.1;
         return Compound.of(

@@ -12,7 +12,7 @@ import rigibo.frontend.gallery.View;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A ring of driven pieces with fins stirs what is in it. */
+/** A ring of driven pieces with fins stirs the bodies inside. */
 public final class Washer implements Exhibit {
     @Override
     public void build(Pool pool) {

@@ -7,7 +7,7 @@ import java.util.List;
  * others. Without this effect only overlap at the end of a step counts.
  *
  * <pre>{@code
- * // Then a shot of 100 m/s may pass a wall of 10 cm.
+ * // Without it, a shot of 100 m/s may pass a wall of 10 cm.
  * pool.effects(pool.effects().without(ContinuousImpacts.class));
  * }</pre>
  */

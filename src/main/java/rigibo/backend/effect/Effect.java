@@ -45,12 +45,12 @@ public sealed interface Effect
     /** Its kind, of which a pool declares one effect at most. */
     Kind kind();
 
-    /** What has to be declared with it: of each list one kind at least. */
+    /** The effects it needs: at least one kind of each list must be declared with it. */
     default List<List<Kind>> needs() {
         return List.of();
     }
 
-    /** The numbers that state it, as a snapshot keeps them, without a caller's function. */
+    /** The effect's parameters as a snapshot keeps them; a caller's function is not among them. */
     default double[] numbers() {
         return new double[0];
     }
@@ -73,8 +73,8 @@ public sealed interface Effect
     }
 
     /**
-     * The kinds of effects. Where what a kind adds to a step is chosen, all are named, so that the
-     * compiler tells where a new one is missing. Forces that vary along the path add up in this
+     * The kinds of effects. Code that chooses what a kind adds to a step names all of them, so that
+     * the compiler tells where a new one is missing. Forces that vary along the path add up in this
      * order.
      */
     enum Kind {
@@ -111,12 +111,12 @@ public sealed interface Effect
             this.maker = maker;
         }
 
-        /** Of effects that any count of numbers may state. */
+        /** For effects that take any number of parameters. */
         Kind(Energy energy, Function<double[], Effect> maker) {
             this(energy, ANY, maker);
         }
 
-        /** Of effects that always hold a function, and so are not made of numbers. */
+        /** For effects that always hold a function, and so cannot be made of numbers. */
         Kind(Energy energy) {
             this(energy, ANY, null);
         }
@@ -143,15 +143,15 @@ public sealed interface Effect
             return maker != null;
         }
 
-        /** How many numbers state an effect of this kind; −1 where it may be any. */
+        /** Number of parameters of this kind; −1 where it varies. */
         public int numbers() {
             return count;
         }
 
         /**
-         * An effect of this kind, equal to the one whose {@link Effect#numbers()} they are.
+         * Makes the effect of this kind that has these {@link Effect#numbers()}.
          *
-         * @throws IllegalArgumentException when they state none
+         * @throws IllegalArgumentException when no such effect has them
          */
         public Effect of(double... numbers) {
             boolean isCount = count == ANY || count == numbers.length;

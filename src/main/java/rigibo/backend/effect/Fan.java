@@ -9,9 +9,9 @@ import java.util.stream.DoubleStream;
 
 /**
  * Streams of air from places of the world. A stream pushes each dynamic body whose centre of mass
- * is in its reach, with a force along the stream of {@code force} times the width that the body
- * turns to it, which falls linearly to 0 at the end of the reach. The force acts at the centre of
- * mass; bodies do not shelter each other.
+ * is in its reach. The force points along the stream. At the mouth it is {@code force} times the
+ * width that the body turns to the stream, and it falls linearly to 0 at the end of the reach. The
+ * force acts at the centre of mass; bodies do not shelter each other.
  *
  * <pre>{@code
  * Fan.Jet upwards = new Fan.Jet(0, 0, Math.PI / 2, 1, 4, 800);
@@ -51,7 +51,7 @@ public record Fan(List<Jet> jets) implements Effect {
         return numbers.build().toArray();
     }
 
-    /** Made of its numbers; refuses a jet that is cut short. */
+    /** Makes a fan of its parameters; refuses an incomplete jet. */
     static Fan of(double[] n) {
         if (n.length % Jet.NUMBERS != 0) {
             throw new IllegalArgumentException("jets of a fan are cut short");

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
- * Magnets at places of the world. Each accelerates the dynamic bodies of a category that are in its
- * reach towards it, whatever their mass, by {@code strength·(1 − r/reach)} at the distance r of
- * their centre of mass; at the magnet's own place by 0.
+ * Magnets at places of the world. Each pulls the dynamic bodies of a category that are in its
+ * reach. Whatever their mass, it accelerates them by {@code strength·(1 − r/reach)}, r being the
+ * distance of their centre of mass; at the magnet itself by 0.
  *
  * <pre>{@code
  * int iron = 1 << 1;
@@ -51,7 +51,7 @@ public record Magnet(List<Pole> poles) implements Effect {
         return numbers.build().toArray();
     }
 
-    /** Made of its numbers; refuses a pole that is cut short. */
+    /** Makes magnets of their parameters; refuses an incomplete one. */
     static Magnet of(double[] n) {
         if (n.length % Pole.NUMBERS != 0) {
             throw new IllegalArgumentException("poles of a magnet are cut short");

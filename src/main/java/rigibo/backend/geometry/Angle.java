@@ -1,15 +1,16 @@
 package rigibo.backend.geometry;
 
 /**
- * Sine, cosine and their inverses with the same bits on every JVM and in every browser, which
- * {@link Math#sin} does not promise and no browser knows {@link StrictMath} for. Only sums,
- * products, quotients, roots and the bits of doubles are asked. In 10⁶ arguments of all sizes the
+ * Sine, cosine and their inverses with the same bits on every JVM and in every browser. {@link
+ * Math#sin} does not promise that, and browsers have no {@link StrictMath}. All of it is made of
+ * sums, products, quotients, roots and the bits of doubles. In 10⁶ arguments of all sizes the
  * largest error is 0.81 units in the last place of the true value ({@code ElementaryTest}).
  *
  * <p>An angle is reduced to [−π/4, π/4] by subtracting n·π/2, with π/2 in three parts (W. J. Cody
  * and W. Waite, Software Manual for the Elementary Functions, 1980); there the Taylor series is
- * evaluated. Where too few digits are left, next to a multiple of π/2 and from 10⁷ rad on, the
- * angle is reduced in whole numbers instead, by as much of 2/π as the largest double needs.
+ * evaluated. Next to a multiple of π/2 and from 10⁷ rad on, this would leave too few digits. There
+ * the angle is reduced in whole numbers instead, with as many bits of 2/π as the largest double
+ * needs.
  *
  * <pre>{@code
  * double height = 5 * Angle.sin(0.3); // m, the same bits everywhere
@@ -24,17 +25,23 @@ public final class Angle {
     private static final double TINY = 0x1p-27;
 
     /**
-     * Least reduced angle for which π/2 in three parts suffices: n times the last part is off by
-     * 2⁻⁹¹.
+     * Smallest reduced angle for which π/2 in three parts suffices: n times the last part has an
+     * error of 2⁻⁹¹.
      */
     private static final double LEAST_LEFT = 0x1p-30;
 
-    /** Written out, for a library may multiply by π and divide by 180. */
+    /**
+     * Written out, since a library may round differently: it may multiply by π and then divide by
+     * 180.
+     */
     private static final double RADIANS_PER_DEGREE = 0.017453292519943295;
 
     private static final double DEGREES_PER_RADIAN = 57.29577951308232;
 
-    /** Powers of two between which the coordinates of a direction are multiplied as they are. */
+    /**
+     * Coordinates of a direction between these powers of two need no scaling before they are
+     * multiplied.
+     */
     private static final int MODEST = 400;
 
     /** π/2 as two parts of 30 bits, whose products with n are exact, and the rest. */
@@ -78,20 +85,20 @@ public final class Angle {
         return advanced(angle, 1);
     }
 
-    /** An angle in rad that is given in degrees. */
+    /** Converts an angle from degrees to rad. */
     public static double ofDegrees(double degrees) {
         return degrees * RADIANS_PER_DEGREE;
     }
 
-    /** An angle of so many rad in degrees. */
+    /** Converts an angle from rad to degrees. */
     public static double inDegrees(double angle) {
         return angle * DEGREES_PER_RADIAN;
     }
 
     /**
-     * Direction of the point (x, y) in rad, −π to π, counter-clockwise from the x axis: of the sign
-     * of y, a zero's sign included, ±π for a negative x beside a zero, and a multiple of π/4 where
-     * both are infinite. NaN when a coordinate is.
+     * Direction of the point (x, y) in rad, −π to π, counter-clockwise from the x axis. It has the
+     * sign of y, even of a zero; for a y of zero and a negative x it is ±π. Where both are
+     * infinite, it is a multiple of π/4; where one is NaN, it is NaN.
      */
     public static double atan2(double y, double x) {
         double up = Math.abs(y);
@@ -100,7 +107,7 @@ public final class Angle {
             if (y != y || x != x) {
                 return Double.NaN;
             }
-            // What is infinite counts as 1, and beside it what is not counts as 0.
+            // An infinite coordinate counts as 1, and a finite one beside it as 0.
             up = Double.isInfinite(y) ? 1 : 0;
             along = Math.copySign(Double.isInfinite(x) ? 1 : 0, x);
         }
@@ -143,7 +150,7 @@ public final class Angle {
         return (1 - size) * (1 + size);
     }
 
-    /** What the root of 1 − c² lacks, by a step of Newton's rule. */
+    /** Rounding error of √(1 − c²), by one step of Newton's method. */
     private static double rootLack(double c, double square, double root) {
         if (square == 0) {
             return 0;

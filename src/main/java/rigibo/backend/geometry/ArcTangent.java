@@ -1,14 +1,15 @@
 package rigibo.backend.geometry;
 
 /**
- * The angle of a point (x, y), each coordinate with a high and a low part. The octant beside the x
- * axis is what is computed, others are mirrored; in it the angle is that of the nearest of 0, ¼, ½,
- * ¾ and 1, plus a small one: atan t = atan c + atan((t − c)/(1 + tc)). The small one is the Taylor
- * series of a tangent of at most 1/8, whose first omitted term is below 2⁻⁶⁶ of it.
+ * The angle of a point (x, y), whose coordinates are each given as a high and a low part. It is
+ * computed in the octant beside the x axis; other octants are mirrored to it. With t the tangent
+ * and c the nearest of 0, ¼, ½, ¾ and 1, atan t = atan c + atan((t − c)/(1 + tc)). The second
+ * tangent is at most 1/8. Its angle is a Taylor series, whose first omitted term is below 2⁻⁶⁶ of
+ * the angle.
  */
 final class ArcTangent {
 
-    /** atan(c/4) for c from 0 to 4, and what these doubles lack. */
+    /** atan(c/4) for c from 0 to 4, as a high and a low part. */
     private static final double[] ARC_HIGH = {
         0, 0x1.f5b75f92c80ddp-3, 0x1.dac670561bb4fp-2, 0x1.4978fa3269ee1p-1, 0x1.921fb54442d18p-1
     };
@@ -21,10 +22,10 @@ final class ArcTangent {
         0x1.1a62633145c07p-55
     };
 
-    /** π as a double and what that lacks. */
+    /** The low part of π: what the double lacks. */
     private static final double PI_LOW = 0x1.1a62633145c07p-53;
 
-    /** A tangent below which the square of an angle is nothing beside 1. */
+    /** Tangent below which the square of the angle is lost beside 1. */
     private static final double TINY = 0x1p-30;
 
     private ArcTangent() {}
@@ -32,11 +33,10 @@ final class ArcTangent {
     /**
      * Returns an angle in rad from 0 to π.
      *
-     * @param y the high part, 0 or more, and less than 2⁴⁰⁰ times |x| or more than 2⁻⁴⁰⁰ times it;
-     *     not both are 0
-     * @param yLow what it lacks
+     * @param y the high part, 0 or more; x and y are not both 0
+     * @param yLow the low part of y
      * @param x the high part, of any sign, 0 counting as positive
-     * @param xLow what it lacks
+     * @param xLow the low part of x
      */
     static double of(double y, double yLow, double x, double xLow) {
         double aside = Math.abs(x);
@@ -52,7 +52,7 @@ final class ArcTangent {
         int nearest = nearest(small, large);
         double c = 0.25 * nearest;
         double product = c * large;
-        // The difference is exact, for the two are within a factor of two, or the product is 0.
+        // The difference is exact, since the two are within a factor of two or the product is 0.
         double up = small - product;
         double upLow = smallLow - c * largeLow - Rounding.ofProduct(c, large, product);
         double along = large + c * small;

@@ -102,9 +102,9 @@ public final class Compound implements Shape {
     }
 
     /**
-     * Returns this compound with the centre of mass at a stated point: that of a tumbler that
-     * rights itself lies below its middle. The inertia about the new centre follows from that of
-     * the parts by Steiner's theorem.
+     * Returns this compound with its centre of mass at a stated point, such as below the middle of
+     * a tumbler that rights itself. The inertia about the new centre follows from that of the parts
+     * by Steiner's theorem.
      *
      * @param x in the frame the parts were stated in, m, finite
      * @param y in the frame the parts were stated in, m, finite

@@ -3,9 +3,10 @@ package rigibo.backend.geometry;
 import java.util.List;
 
 /**
- * Which edges of a compound's part other parts cover, and which directions lead out of the compound
- * at the corners beside them. Nothing leaves a part through a covered edge, nor past the corner at
- * its end: where the next part continues the surface, what is above it touches that part.
+ * Which edges of a compound's part are covered by other parts, and which directions lead out of the
+ * compound at the corners beside them. Nothing leaves a part through a covered edge. Nor does
+ * anything leave past a corner at which the next part continues the surface: what lies there
+ * touches that part.
  */
 final class CoveredEdges {
 
@@ -15,13 +16,15 @@ final class CoveredEdges {
     /** Angle up to which a surface counts as going straight on, rad. */
     private static final double LEVEL = 1e-2;
 
-    /** Cosine from which on two edges count as opposite ones. */
+    /** Two edges count as opposite if their normals' cosine is beyond this. */
     private static final double OPPOSITE = -0.99;
 
     /** Halvings of a right angle, down to 1e-6 rad. */
     private static final int HALVINGS = 21;
 
-    /** Steps through other parts, in widths, and halvings of the last one, down to round-off. */
+    /**
+     * Length of a step through other parts, in widths; the last step is halved down to round-off.
+     */
     private static final double THICKNESS_STEP = 0.1;
 
     private static final int FINE_HALVINGS = 50;
@@ -30,7 +33,10 @@ final class CoveredEdges {
     private final List<Outline> others;
     private final boolean[] isCovered;
 
-    /** By corner, twice an edge's number and 1 more at its end: the outermost direction. */
+    /**
+     * The outermost direction at each corner. A corner's index is twice its edge's, plus 1 at the
+     * edge's end.
+     */
     private final double[] outermostX;
 
     private final double[] outermostY;
@@ -86,8 +92,8 @@ final class CoveredEdges {
     }
 
     /**
-     * Whether another part is beside a corner, along its edge beyond it, turned towards the inside
-     * by an angle in rad.
+     * Whether another part lies beside a corner, in the direction of the corner's edge turned
+     * inwards by an angle in rad.
      */
     private boolean isInside(int corner, double angle) {
         double distance = BESIDE * outline.smallestWidth();
@@ -119,8 +125,9 @@ final class CoveredEdges {
     }
 
     /**
-     * Smallest width in m of the body at this part. Where another part covers the opposite edge, it
-     * is how far the body goes on from the middle of an edge. Infinite if all edges are covered.
+     * Smallest width in m of the body at this part; infinite if all edges are covered. Where
+     * another part covers the opposite edge, the width reaches from the middle of an edge through
+     * that part.
      */
     double openWidth() {
         double least = Double.POSITIVE_INFINITY;
@@ -143,7 +150,7 @@ final class CoveredEdges {
         return goesOn;
     }
 
-    /** Way in m from the middle of an edge through all parts, to where they end. */
+    /** Distance in m from the middle of an edge straight through all parts to the other side. */
     private double thickness(int edge) {
         double inside = outline.extent(edge);
         double step = THICKNESS_STEP * outline.smallestWidth();
@@ -162,7 +169,7 @@ final class CoveredEdges {
         return inside;
     }
 
-    /** Whether another part is so many metres below the middle of an edge. */
+    /** Whether another part lies the given distance (m) below the middle of an edge. */
     private boolean isInAny(int edge, double below) {
         double x = (outline.cornerX(edge) + outline.cornerX(next(edge))) / 2;
         double y = (outline.cornerY(edge) + outline.cornerY(next(edge))) / 2;
@@ -183,8 +190,8 @@ final class CoveredEdges {
 
     /**
      * Where a unit direction out of the part leads: {@link Outline#OUT}, {@link Outline#INSIDE}, or
-     * past the surface at a corner of an edge, twice its number and 1 more at its end; by an angle
-     * whose sine is greater than {@code sine}.
+     * the index of the corner at which it passes the surface by an angle whose sine is greater than
+     * {@code sine}.
      */
     int leads(double x, double y, double sine) {
         for (int edge = 0; edge < isCovered.length; edge++) {

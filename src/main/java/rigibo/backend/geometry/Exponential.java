@@ -5,11 +5,11 @@ package rigibo.backend.geometry;
  * in the last place of the true value of eˣ, 0.70 of tanh x and 0.86 of eˣ − 1 ({@code
  * ElementaryTest}).
  *
- * <p>With x = n·ln 2 + r and |r| ≤ ½ln 2, eˣ is 2ⁿ(1 + r + series), of which 1 + r is exact as a
- * high and a low part. The series is Taylor's; its first omitted term is below 2⁻⁶⁴.
+ * <p>With x = n·ln 2 + r and |r| ≤ ½ln 2, eˣ is 2ⁿ(1 + r + series). The sum 1 + r is kept exactly,
+ * as a high and a low part. The series is Taylor's; its first omitted term is below 2⁻⁶⁴.
  *
  * <pre>{@code
- * double left = Exponential.exp(-0.5 * 3); // of what decays by half of itself in a second, after 3 s
+ * double left = Exponential.exp(-0.5 * 3); // left after 3 s, if it decays at a rate of 0.5/s
  * }</pre>
  */
 public final class Exponential {
@@ -28,13 +28,13 @@ public final class Exponential {
 
     private static final double LOWEST = -746;
 
-    /** Below it eˣ is nothing beside 1. */
+    /** Below it eˣ is lost beside 1. */
     private static final double HIDDEN = -38;
 
     /** Smaller numbers are their own eˣ − 1 and tanh x, to half a unit in the last place. */
     private static final double TINY = 0x1p-54;
 
-    /** From here on e^−2x is nothing beside 1. */
+    /** From here on e^−2x is lost beside 1. */
     private static final double FLAT = 22;
 
     private Exponential() {}
@@ -60,7 +60,7 @@ public final class Exponential {
         return value * twoTo(half) * twoTo((int) n - half);
     }
 
-    /** Returns eˣ − 1, exact next to 0, where 1 would hide it; −0 for −0, NaN for NaN. */
+    /** Returns eˣ − 1 without losing digits near 0; −0 for −0, NaN for NaN. */
     public static double expm1(double x) {
         if (!(x < HIGHEST) || x < HIDDEN) {
             return exp(x) - 1;
@@ -73,7 +73,7 @@ public final class Exponential {
         if (n == 0) {
             return r + bend(r);
         }
-        // Half of it, for 2¹⁰²⁴ is no double.
+        // Half of the power, since 2¹⁰²⁴ is not a double.
         double scale = twoTo((int) n - 1);
         double first = scale - 0.5;
         double second = scale * r;
@@ -96,7 +96,7 @@ public final class Exponential {
         double sum = first + second;
         double small =
                 Rounding.ofSum(first, second, sum) + scale * (lack(twice, 0, n, r) + bend(r));
-        // e²ˣ − 1 as a high and a low part, and so is that plus 2.
+        // Both e²ˣ − 1 and e²ˣ + 1 are kept as a high and a low part.
         double up = sum + small;
         double upLow = Rounding.ofSum(sum, small, up);
         double down = up + 2;
@@ -118,7 +118,7 @@ public final class Exponential {
         return (x - n * LN_2_HIGH) - (n * LN_2_LOW - low);
     }
 
-    /** What {@link #rest} lacks. */
+    /** Rounding error of {@link #rest}. */
     private static double lack(double x, double low, double n, double rest) {
         return ((x - n * LN_2_HIGH) - rest) - (n * LN_2_LOW - low);
     }

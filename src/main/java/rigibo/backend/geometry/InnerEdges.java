@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Finds which edges of a compound's parts are inside of it, covered by other parts: what is deep in
- * a part does not leave through such an edge, since the next part begins there.
+ * Finds the edges of a compound's parts that other parts cover. A body deep in one part cannot
+ * leave through such an edge, since the next part begins there.
  */
 final class InnerEdges {
 

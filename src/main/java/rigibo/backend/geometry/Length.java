@@ -9,7 +9,10 @@ package rigibo.backend.geometry;
  */
 public final class Length {
 
-    /** Components between these are squared as they are; their roundings are normal, too. */
+    /**
+     * Components between these need no scaling before they are squared; their rounding errors are
+     * normal doubles, too.
+     */
     private static final double LARGEST = 0x1p500;
 
     private static final double LEAST = 0x1p-450;
@@ -21,8 +24,8 @@ public final class Length {
     private Length() {}
 
     /**
-     * Returns √(x² + y²), within 0.75 units in the last place: infinite when a component is, even
-     * beside NaN, and NaN beside NaN otherwise.
+     * Returns √(x² + y²), within 0.75 units in the last place. It is infinite when a component is,
+     * even if the other is NaN; otherwise it is NaN when a component is.
      */
     public static double hypot(double x, double y) {
         double large = Math.max(Math.abs(x), Math.abs(y));
@@ -42,7 +45,10 @@ public final class Length {
         return small <= LEAST ? plain(large * SCALE, small * SCALE) / SCALE : Double.NaN;
     }
 
-    /** One step of Newton's rule corrects the root by what the squares and their sum have lost. */
+    /**
+     * One step of Newton's method corrects the root by the rounding errors of the squares and of
+     * their sum.
+     */
     private static double plain(double large, double small) {
         double first = large * large;
         double second = small * small;
@@ -52,7 +58,7 @@ public final class Length {
         double lost = Rounding.ofSum(first, second, sum);
         lost += Rounding.ofProduct(large, large, first) + Rounding.ofProduct(small, small, second);
         double rest = sum - square - Rounding.ofProduct(root, root, square);
-        // A quotient by the sum can begin before the root is known.
+        // The processor can begin to divide by the sum before it knows the root.
         return root + (rest + lost) * (0.5 / sum) * root;
     }
 }

@@ -4,10 +4,10 @@ package rigibo.backend.geometry;
  * Logarithm and power with the same bits everywhere. In 10⁶ arguments the largest errors are 0.53
  * units in the last place of the true value of ln x, and 0.75 of xʸ ({@code ElementaryTest}).
  *
- * <p>With x = 2ᵏm, m between √½ and √2, and s = (m − 1)/(m + 1), ln x is k·ln 2 + 2s + s·series,
- * the series that of the inverse of tanh in s² ≤ 0.0295; its first omitted term is below 2⁻⁶³. A
- * power multiplies the logarithm by up to 10³ before it is exponentiated, and so needs it as a high
- * and a low part, with an error of 2⁻⁶⁷ of itself.
+ * <p>With x = 2ᵏm, m between √½ and √2, and s = (m − 1)/(m + 1), ln x is k·ln 2 + 2s + s·series.
+ * The series is that of the inverse of tanh in s² ≤ 0.0295; its first omitted term is below 2⁻⁶³. A
+ * power multiplies the logarithm by up to 10³ before the exponential, which would magnify its
+ * error. So it takes the logarithm as a high and a low part, with a relative error of 2⁻⁶⁷.
  *
  * <pre>{@code
  * double times = Logarithm.log(8) / Logarithm.log(2); // 3
@@ -20,7 +20,7 @@ public final class Logarithm {
 
     private static final double LN_2_LOW = 0x1.ef35793c76730p-45;
 
-    /** ⅔ as a double and what that lacks. */
+    /** ⅔ as a high and a low part. */
     private static final double TWO_THIRDS_HIGH = 0x1.5555555555555p-1;
 
     private static final double TWO_THIRDS_LOW = 0x1.5555555555555p-55;
@@ -56,8 +56,9 @@ public final class Logarithm {
     }
 
     /**
-     * Returns x to the power of y, by the rules of {@link StrictMath#pow}: 1 for a y of 0 or, apart
-     * from that, NaN for NaN; a negative x needs a whole y, and an odd one keeps the sign.
+     * Returns x to the power of y, by the rules of {@link StrictMath#pow}. It is 1 for a y of 0,
+     * and otherwise NaN when a number is NaN. A negative x needs a whole y; an odd y keeps the
+     * sign.
      */
     public static double pow(double x, double y) {
         if (y == 0) {
@@ -130,14 +131,14 @@ public final class Logarithm {
                 : Double.longBitsToDouble(Double.doubleToRawLongBits(x) - ((long) power << 52));
     }
 
-    /** What the quotient s of a number and 2 more than it lacks. */
+    /** Rounding error of the quotient s, whose denominator is its numerator plus 2. */
     private static double quotientLack(double up, double down, double s) {
         double back = s * down;
         double left = up - back - Rounding.ofProduct(s, down, back);
         return (left - s * Rounding.ofSum(2, up, down)) / down;
     }
 
-    /** The series ⅖z + ²⁄₇z² + …, which follows ⅔. */
+    /** The terms ⅖z + ²⁄₇z² + … of the series, after its first, ⅔. */
     private static double later(double z) {
         double zz = z * z;
         double odd = 2.0 / 13 + zz * (2.0 / 17 + zz * (2.0 / 21 + zz * (2.0 / 25)));

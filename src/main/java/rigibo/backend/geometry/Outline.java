@@ -200,10 +200,10 @@ public final class Outline {
     }
 
     /**
-     * Where a unit direction out of this part, in the shape's own frame, leads: {@link #OUT},
-     * {@link #INSIDE} where another part covers the edge, or past the surface that another part
-     * continues at a corner, by an angle whose sine is greater than {@code sine}. Of that corner,
-     * any other number is told.
+     * Where a unit direction out of this part, in the shape's own frame, leads: {@link #OUT}, or
+     * {@link #INSIDE} where another part covers the edge. Any other number names a corner at which
+     * another part continues the surface; the direction passes that surface by an angle whose sine
+     * is greater than {@code sine}.
      */
     public int leads(double x, double y, double sine) {
         return inner == null ? OUT : inner.leads(x, y, sine);
@@ -225,8 +225,8 @@ public final class Outline {
     }
 
     /**
-     * Smallest width of the body at this part, m: where another part covers an edge, the body goes
-     * on. Infinite if other parts surround it.
+     * Smallest width of the body at this part, m. Where another part covers an edge, it is measured
+     * through that part. Infinite if other parts surround this one.
      */
     double openWidth() {
         return inner == null ? smallestWidth : inner.openWidth();

@@ -1,15 +1,15 @@
 package rigibo.backend.geometry;
 
 /**
- * Sine and cosine of angles from which quarter turns cannot be subtracted in doubles: huge ones,
- * and those next to a multiple of π/2. The angle is a whole number m times a power of two. Of m·2/π
- * (M. Payne and R. Hanek, Radian Reduction for Trigonometric Functions, 1983) only its value modulo
- * 4 matters, so that the leading bits of 2/π are left out, and 192 bits are enough: 139 of them
- * remain behind the point, and no double but 0 is closer than 2⁻⁶² to a multiple of π/2.
+ * Sine and cosine of angles whose quarter turns cannot be subtracted in doubles: huge angles, and
+ * those next to a multiple of π/2 (M. Payne and R. Hanek, Radian Reduction for Trigonometric
+ * Functions, 1983). The angle is a whole number m times a power of two, and only m·2/π modulo 4
+ * matters. So the leading bits of 2/π are left out, and 192 bits are enough: 139 of them remain
+ * behind the binary point, and no double but 0 is closer than 2⁻⁶² to a multiple of π/2.
  */
 final class QuarterTurns {
 
-    /** 2/π in binary, 64 bits in each word. The first word is what is in front of the point. */
+    /** 2/π in binary, 64 bits in each word. The first word is the whole part. */
     private static final long[] TWO_OVER_PI = {
         0,
         0xa2f9836e4e441529L,
@@ -33,7 +33,7 @@ final class QuarterTurns {
         0x56033046fc7b6babL
     };
 
-    /** π/2 as a double and what that lacks. */
+    /** π/2 as a high and a low part. */
     private static final double HALF_PI_HIGH = 0x1.921fb54442d18p0;
 
     private static final double HALF_PI_LOW = 0x1.1a62633145c07p-54;
@@ -93,7 +93,7 @@ final class QuarterTurns {
         return high * (word >>> 32) + (middle >>> 32) + (other >>> 32);
     }
 
-    /** Sine of ± a fraction of a quarter turn, 2⁻¹²⁸ of it a unit, and of whole quarter turns. */
+    /** Sine of whole quarter turns plus or minus a fraction of one, in units of 2⁻¹²⁸. */
     private static double sine(long fraction, long rest, double sign, int quarters) {
         int zeros = Math.min(63, Long.numberOfLeadingZeros(fraction ^ fraction >> 63)) - 1;
         long digits = zeros == 0 ? fraction : fraction << zeros | rest >>> 64 - zeros;

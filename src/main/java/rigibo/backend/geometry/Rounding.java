@@ -1,9 +1,9 @@
 package rigibo.backend.geometry;
 
 /**
- * What a sum or product of two doubles lost when it was rounded: itself a double, unless it is
- * smaller than any normal one. Where the two are kept together as a high and a low part, they have
- * twice the digits.
+ * The rounding error of a sum or a product of two doubles. The error is itself a double, unless it
+ * is smaller than any normal one. A result and its error, kept together as a high and a low part,
+ * have twice the digits.
  */
 final class Rounding {
 

@@ -213,8 +213,8 @@ public final class ImpactLaw {
     }
 
     /**
-     * Whether friction opposes the sliding that remains. It would drive the sliding where sticking
-     * failed only because one of the points would have had to pull; then that point parts instead.
+     * Whether friction opposes the sliding that remains. Where sticking failed only because a point
+     * would have had to pull, friction would drive the sliding; then that point parts instead.
      */
     private boolean rubs() {
         double after = velocity[TANGENT];

@@ -24,8 +24,8 @@ public final class Sleeping {
     private static final double EVEN = 1e-6;
 
     /**
-     * Share of the sleep distance below which a drift does not count: a body that drifts so slowly
-     * would need a thousand times the sleep time to cover the distance.
+     * Share of the sleep distance below which a drift does not count: such a body would cover the
+     * distance only in a thousand times the sleep time.
      */
     private static final double UNTOLD = 1e-3;
 

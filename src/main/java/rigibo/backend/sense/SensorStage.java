@@ -135,8 +135,8 @@ public final class SensorStage {
     }
 
     /**
-     * Whether an impact found on the paths is real. One at an edge of a chain may be reported from
-     * behind, in its matter, though the two are out of reach.
+     * Whether an impact found on the paths is real. At an edge of a chain the search may report one
+     * from behind, in the chain's matter, although the two are out of reach.
      */
     private boolean isMet(Outline sensor, Outline visitor, double time) {
         if (!sensor.isEdge() && !visitor.isEdge()) {

@@ -35,7 +35,7 @@ public final class Counters {
     /** Number of times that work was split among workers. */
     public int splits;
 
-    /** Time that a core for each of several rehearsed workers would have spared, ns. */
+    /** Time that a core for each of several rehearsed workers would have saved, ns. */
     public long spared;
 
     /** Number of searches for what is around a body of a pile. */

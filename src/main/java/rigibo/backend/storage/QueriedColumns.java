@@ -5,8 +5,8 @@ import rigibo.backend.effect.Effects;
 import java.util.Arrays;
 
 /**
- * A copy of those columns that queries read, of bodies and of pairs; all other columns are null. So
- * a query that reads one more fails until it is copied here.
+ * A copy of the columns of bodies and pairs that queries read; all other columns are null. A query
+ * that reads another column therefore fails until this class copies that column too.
  */
 public final class QueriedColumns {
 
@@ -108,7 +108,7 @@ public final class QueriedColumns {
         return copy;
     }
 
-    /** What a longer copy referred to is let go. */
+    /** References beyond the new end are cleared, so that they can be collected as garbage. */
     private static <T> T[] copy(T[] from, T[] to, int count, int before) {
         if (to == null || to.length < count) {
             return from.clone();

@@ -5,17 +5,17 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 
 /**
- * Hands pictures of a state from one thread that makes them to any number that read them. Nobody
- * waits for anybody, and nobody tries twice: a reader takes the newest picture by one atomic
- * addition and gives it back by another; the maker overwrites only a picture that nobody reads.
+ * Hands pictures of a state from one thread, the maker, to any number of readers. No thread waits
+ * for another, and none has to retry. A reader takes the newest picture by one atomic addition and
+ * gives it back by another. The maker overwrites only pictures that nobody reads.
  *
- * <p>One word says which picture is the newest and how often it was taken so far. When the maker
- * replaces it, that count is final, and the old picture is free once it was given back as often.
- * (Split reference counts: A. Williams, C++ Concurrency in Action, 2nd edition 2019, section
- * 7.2.4.) So there are at most two pictures more than readers: the newest, and the one in the
- * making.
+ * <p>One word holds the number of the newest picture and how often that picture was taken. When the
+ * maker replaces the word, the count is final. The old picture is free again once it was given back
+ * that often. (Split reference counts: A. Williams, C++ Concurrency in Action, 2nd edition 2019,
+ * section 7.2.4.) So there are at most two more pictures than readers: the newest, and the one
+ * being made.
  *
- * @param <T> a picture, written anew again and again
+ * @param <T> a picture, which is reused
  */
 public final class Exchange<T> {
 
@@ -23,14 +23,14 @@ public final class Exchange<T> {
     public static final int MOST_OPEN = 256;
 
     /**
-     * Bits of the word that count. A billion readings a second of one and the same picture would
-     * fill them in three days.
+     * Bits of the word that hold the count. If one picture were read a billion times a second, they
+     * would overflow after three days.
      */
     private static final int COUNT_BITS = 48;
 
     private static final long COUNT = (1L << COUNT_BITS) - 1;
 
-    /** A picture, and who reads it. */
+    /** A picture, and how often it was taken and given back. */
     private static final class Frame<T> {
 
         final T picture;
@@ -38,7 +38,9 @@ public final class Exchange<T> {
         /** How often it was given back since it was published. */
         final AtomicLong returned = new AtomicLong();
 
-        /** How often it was taken; {@link #UNKNOWN} while it is the newest. The maker's own. */
+        /**
+         * How often it was taken; {@link #UNKNOWN} while it is the newest. Only the maker uses it.
+         */
         long taken;
 
         Frame(T picture) {
@@ -50,15 +52,18 @@ public final class Exchange<T> {
 
     private final Supplier<T> blank;
 
-    /** A frame is stored before the word first names its number, so that readers see it. */
+    /** A frame is stored before its number first appears in the word, so that readers see it. */
     private final Frame<T>[] frames;
 
     private int count;
 
-    /** Number of the frame that the maker writes, or that it wrote last. */
+    /** Number of the frame that the maker is writing, or wrote last. */
     private int drawn;
 
-    /** The newest frame's number, above how often it was taken. */
+    /**
+     * The word: the newest frame's number in its upper bits, and in the lower how often it was
+     * taken.
+     */
     private final AtomicLong newest = new AtomicLong();
 
     private final AtomicInteger open = new AtomicInteger();
@@ -68,7 +73,7 @@ public final class Exchange<T> {
      * An exchange without a picture; {@link #publish} must be called before the first {@link
      * #take}.
      *
-     * @param blank makes an empty picture, where all others are read
+     * @param blank makes an empty picture, if readers hold all others
      */
     @SuppressWarnings("unchecked")
     public Exchange(Supplier<T> blank) {
@@ -76,7 +81,7 @@ public final class Exchange<T> {
         frames = (Frame<T>[]) new Frame<?>[MOST_OPEN + 2];
     }
 
-    /** The maker's: returns a picture that nobody reads, to be written and then published. */
+    /** For the maker: returns a picture that nobody reads, to be written and then published. */
     public T draw() {
         drawn = free();
         return frames[drawn].picture;
@@ -92,7 +97,7 @@ public final class Exchange<T> {
         return count++;
     }
 
-    /** The maker's: what was drawn becomes the newest picture. */
+    /** For the maker: makes the picture it has written the newest. */
     public void publish() {
         Frame<T> drawing = frames[drawn];
         assert drawing.taken != UNKNOWN : "a picture that is already read";

@@ -1,7 +1,7 @@
 package rigibo.backend.team;
 
 /**
- * A picture while one thread reads it: nobody writes it until it is closed.
+ * One thread's right to read a picture: nobody writes the picture until the lease is closed.
  *
  * @param <T> the picture
  */
@@ -11,7 +11,7 @@ public final class Lease<T> implements AutoCloseable {
     private final int frame;
     private final Thread reader = Thread.currentThread();
 
-    /** Of the reader alone; other threads are refused before they look at it. */
+    /** Used by the reader alone; other threads are refused before they get here. */
     private boolean isClosed;
 
     Lease(Exchange<T> exchange, int frame) {

@@ -3,20 +3,22 @@ package rigibo.backend.team;
 import java.util.function.LongSupplier;
 
 /**
- * A team without threads: the caller does the pieces of all workers, and a clock tells what a core
- * for each of them would have spared. Pieces go to workers as they go in a team of threads, each
- * next one to the worker who is done first. Waking and waiting for threads costs nothing here, and
- * no memory travels from core to core, so that what is found is a bound for real teams.
+ * A team without threads. The caller does the pieces of all workers, and a clock tells how much
+ * time a core for each of them would have saved. Pieces are handed out as in a team of threads: the
+ * next one goes to the worker that is done first. A real team saves less, since its threads have to
+ * wake up and wait, and memory moves from core to core.
  */
 public final class RehearsedTeam implements Team {
 
     /** Returns ns. */
     private final LongSupplier clock;
 
-    /** Time in ns after which each worker is done with what it took of the present work. */
+    /**
+     * By worker, time in ns at which it would be done with the pieces it took of the present work.
+     */
     private final long[] busy;
 
-    /** By worker, number of the pieces of its share that are taken. */
+    /** By worker, number of pieces taken from its share. */
     private final int[] taken;
 
     private int splits;
@@ -68,7 +70,7 @@ public final class RehearsedTeam implements Team {
         }
     }
 
-    /** The worker who is done first; of several, the first. */
+    /** The worker that is done first; of several, the one with the lowest number. */
     private int firstDone() {
         int first = 0;
         for (int worker = 1; worker < size(); worker++) {
@@ -77,7 +79,10 @@ public final class RehearsedTeam implements Team {
         return first;
     }
 
-    /** Takes a piece of a worker's share, or of the next one that has some; returns its number. */
+    /**
+     * Takes a piece of a worker's share, or of the next share that has any left; returns its
+     * number.
+     */
     private int takePiece(int worker, int each, int pieces) {
         int share = worker;
         while (share * each + taken[share] >= pieces || taken[share] >= each) {

@@ -14,18 +14,22 @@ import java.util.concurrent.locks.LockSupport;
  */
 public final class ThreadTeam implements Team {
 
-    /** How often a thread without work looks for some before it parks, or lets others run. */
+    /** How often a thread without work looks for some before it parks or yields. */
     private static final int SPINS = 1_000;
 
     private static final int AWAKE = 0;
     private static final int PARKED = 1;
 
-    /** Bits of a share that hold the number of its pieces, and of those that were taken. */
+    /**
+     * Bits of a share's word that hold the number of its pieces, and as many for the pieces taken.
+     */
     private static final int PIECE_BITS = 20;
 
     private static final int MOST_PIECES = (1 << PIECE_BITS) - 1;
 
-    /** From one share to the next: two cache lines, so that workers do not write into the same. */
+    /**
+     * Distance between two shares: two cache lines, so that workers do not write to the same one.
+     */
     private static final int APART = 16;
 
     private final Thread[] threads;
@@ -35,8 +39,9 @@ public final class ThreadTeam implements Team {
     private final AtomicLong number = new AtomicLong();
 
     /**
-     * By worker: the number of the work, how many pieces its share has, and how many of them are
-     * taken. They are one number, so that who takes a piece knows that it is of the present work.
+     * By worker: the number of the present work, how many pieces its share has, and how many of
+     * them are taken. One word holds all three, so that a piece that is taken surely belongs to the
+     * present work.
      */
     private final AtomicLongArray shares;
 
@@ -50,7 +55,7 @@ public final class ThreadTeam implements Team {
     private int count;
     private int grain;
 
-    /** Made with the first team that has an owner. */
+    /** Loaded with the first team that has an owner. */
     private static final class Forgotten {
         static final Cleaner CLEANER = Cleaner.create();
     }
@@ -120,7 +125,7 @@ public final class ThreadTeam implements Team {
         for (int i = 0; i < size(); i++) {
             int share = (worker + i) % size();
             while (takePiece(share, worker)) {
-                // Until all of this share are taken.
+                // Ends when no piece of this share is left.
             }
         }
     }
@@ -133,7 +138,7 @@ public final class ThreadTeam implements Team {
         if (taken >= each) {
             return false;
         }
-        // While a piece of the work is not taken, its description stays as it is.
+        // The work's description does not change while one of its pieces is not taken.
         if (shares.compareAndSet(APART * share, seen, seen + 1)) {
             int from = Math.min(count, (share * each + taken) * grain);
             int to = Math.min(count, from + grain);
@@ -168,7 +173,8 @@ public final class ThreadTeam implements Team {
     /** Parks until there is other work than the last. */
     private void park(int own, long last) {
         states.set(own, PARKED);
-        // Work that came before the state was seen would wake nobody.
+        // Looks again: work that arrived just before this thread was marked as parked would wake
+        // nobody.
         while (states.get(own) == PARKED && number.get() == last && !isClosed) {
             LockSupport.park(this);
         }

@@ -1,2 +1,4 @@
-/** The threads that share the work of a step, and what threads that ask meanwhile are given. */
+/**
+ * The threads that share the work of a step, and the pictures that other threads read meanwhile.
+ */
 package rigibo.backend.team;

@@ -58,8 +58,9 @@ public final class Catalog {
     }
 
     /**
-     * The scene to which the text of a link leads, with what is chosen there; nothing where there
-     * is no such scene. What a link says beyond that is left out, and the player is told.
+     * Opens the scene that the text of a link leads to and makes the choices that it states; empty
+     * if there is no such scene. Choices that the scene does not know are ignored, and the player
+     * is told.
      */
     public static Optional<Function<Director, Scene>> linked(String text) {
         Link link = Link.of(text);
@@ -128,12 +129,12 @@ public final class Catalog {
         return new MenuScene(director, entries());
     }
 
-    /** What a player may choose for every scene. */
+    /** The settings that a player may choose for all scenes. */
     public static Scene settings(Director director) {
         return new SettingsScene(director);
     }
 
-    /** What keys do, for a player to choose. */
+    /** The page on which a player chooses keys. */
     public static Scene keys(Director director) {
         return new KeysScene(director);
     }

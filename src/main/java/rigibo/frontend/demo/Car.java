@@ -22,7 +22,10 @@ final class Car {
     static final double G = 9.81;
     static final double WHEEL = 0.36;
 
-    /** Of the load on an axle: a is how far the centre of mass is from the other one. */
+    /**
+     * The share of the load on an axle; a is the distance of the centre of mass from the other
+     * axle.
+     */
     static final String FORMULA = "N = G·a/L";
 
     private static final double CHASSIS_MASS = 300;

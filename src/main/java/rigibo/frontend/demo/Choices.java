@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What the controls of a demo are set to, as links carry it. */
+/** The settings of a demo's controls, as links carry them. */
 final class Choices {
 
     private final List<Widget> widgets;
@@ -26,8 +26,8 @@ final class Choices {
     }
 
     /**
-     * Returns a link with what was chosen. One control may set another, so that it holds all of
-     * them or, where none was touched, none.
+     * Returns a link with the choices. It states all controls, since one may set another, or none
+     * if none was touched.
      */
     Link in(Link link) {
         Map<String, String> settings = settings();

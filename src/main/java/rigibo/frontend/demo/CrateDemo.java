@@ -37,7 +37,7 @@ final class CrateDemo implements Demo {
     private static final double BLAST_SPEED = 9;
     private static final double BLAST_RADIUS = 4;
 
-    /** Of a box that stays: what hangs over is less than half its width. */
+    /** The condition for a box to stay on the ledge: it overhangs by less than half its width. */
     private static final String FORMULA = "x < w/2";
 
     private static final double LEDGE_X = 6.2;

@@ -25,7 +25,9 @@ final class Crew {
         times.forget();
     }
 
-    /** Takes a step of the search with so many bodies; returns whether the search goes on. */
+    /**
+     * Takes in a step of the search with a number of bodies; returns whether the search goes on.
+     */
     boolean goesOn(StepReport report, int bodies) {
         times.step(report);
         if (!times.isMeasured()) {

@@ -13,8 +13,8 @@ import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
 
 /**
- * The switch of the number of workers, and what it brings: figures of one worker beside those of
- * the number that was chosen last.
+ * The switch for the number of workers, and its result: the figures of one worker beside those of
+ * the number chosen last.
  */
 final class Crews {
 
@@ -30,7 +30,7 @@ final class Crews {
 
     private Crew chosen = alone;
 
-    /** Those whose most bodies are still searched for, the present one first. */
+    /** The crews whose greatest number of bodies is still to be found, the present one first. */
     private final Queue<Crew> searching = new ArrayDeque<>();
 
     /** A switch up to the number of processors. */
@@ -61,7 +61,7 @@ final class Crews {
         chosen.times.forget();
     }
 
-    /** Who makes the next step. */
+    /** The crew that makes the next step. */
     Crew present() {
         return isSearching() ? searching.element() : chosen;
     }
@@ -81,9 +81,9 @@ final class Crews {
     }
 
     /**
-     * Takes a step with so many bodies; returns whether the next crew begins its search.
+     * Takes in a step with a number of bodies; returns whether the next crew begins its search.
      *
-     * @param isFull whether no more bodies are poured
+     * @param isFull whether no more bodies can be poured
      */
     boolean goesOnWithTheNext(StepReport report, int bodies, boolean isFull) {
         if (!isSearching()) {
@@ -103,8 +103,8 @@ final class Crews {
     }
 
     /**
-     * Medians of the steps, ms. What was measured under another load would mislead beside the
-     * present figure, and is not shown.
+     * Median times of steps, ms. Figures measured with another number of bodies are not shown,
+     * since they would mislead beside the present one.
      */
     String medians() {
         return columns(

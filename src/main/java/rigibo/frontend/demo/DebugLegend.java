@@ -14,7 +14,7 @@ final class DebugLegend {
     private static final double SIGN = 34;
     private static final double SIZE = 16;
 
-    /** What is drawn while debugging. */
+    /** The legend of the debug drawing. */
     enum Mark {
         FIXTURE,
         CONTACT,

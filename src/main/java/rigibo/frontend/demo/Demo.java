@@ -41,12 +41,12 @@ interface Demo {
         return false;
     }
 
-    /** Whether what it shows goes on to the right of the scene, where no plate may cover it. */
+    /** Whether its world goes on to the right of the scene, where no plate may cover it. */
     default boolean goesOnToTheRight() {
         return false;
     }
 
-    /** The controls were set by a link: begins anew with what they say. */
+    /** A link has set the controls: the demo begins anew with their values. */
     default void followed() {}
 
     /** Before each step. */

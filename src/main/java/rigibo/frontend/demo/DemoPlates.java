@@ -15,9 +15,7 @@ import rigibo.frontend.scene.effects.CostMeter;
 import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.widget.HandButtons;
 import rigibo.frontend.scene.widget.HandFrame;
-import rigibo.frontend.scene.widget.Panel;
 import rigibo.frontend.scene.widget.Plate;
-import rigibo.frontend.scene.widget.Widget;
 
 import java.util.Arrays;
 import java.util.List;
@@ -36,41 +34,29 @@ final class DemoPlates {
     /** Between plates, px. */
     private static final double GAP = 6;
 
-    /** Widths over the scene with text of its usual size, px. */
-    private static final double CONTROLS_WIDTH = 270;
-
-    /** What demos show begins to the right of this many px of controls. */
+    /** Widest controls, px: demos draw their world to the right of them. */
     private static final double WIDEST_CONTROLS = 294;
 
+    /** Width over the scene with text of its usual size, px. */
     private static final double SIDE_WIDTH = 240;
 
-    /** What N, G and other demos turn to is left as it was when a demo is restarted. */
+    /** Which plates are open; kept when the demo is restarted. */
     private final Folds folds;
 
     private final int mostColumns;
     private final Workbench bench;
-    private final Panel all;
-
-    /** Controls and readouts apart, in a hand, where there is no room for them in one plate. */
-    private final Panel handled;
-
-    private final Panel numbers;
-
-    /** The one of them that is shown, or was last. */
-    private Panel controls;
-
+    private final DemoControls controls;
     private final SidePlate side;
     private final AccuracyBar accuracy;
     private final EffectsBar effects;
     private final Tabs tabs;
     private final HandButtons buttons = new HandButtons();
 
-    /** What all of it is drawn on in a hand. */
+    /** The canvas of the plates in a handheld window. */
     private Optional<Enlarged> inHand = Optional.empty();
 
     private Plate sidePlace = Plate.NONE;
     private boolean isHidden;
-    private boolean areControlsDrawn;
     private boolean wasGhostWanted;
 
     private DemoPlates(
@@ -83,19 +69,11 @@ final class DemoPlates {
         this.bench = bench;
         this.folds = folds;
         mostColumns = demo.goesOnToTheRight() ? 1 : 2;
-        List<Widget> widgets = demo.widgets();
-        all = panel(widgets, any -> true);
-        handled = panel(widgets, Widget::isControl);
-        numbers = panel(widgets, widget -> !widget.isControl());
-        controls = all;
+        controls = new DemoControls(demo.widgets());
         side = new SidePlate(bench, words);
         accuracy = new AccuracyBar(bench.pool(), errors, words);
         effects = new EffectsBar(new DemoEffects(demo, bench, words), costs);
         tabs = new Tabs(words, folds);
-    }
-
-    private static Panel panel(List<Widget> widgets, Predicate<Widget> wanted) {
-        return new Panel(0, 0, CONTROLS_WIDTH, widgets.stream().filter(wanted).toList());
     }
 
     /** The plates of a demo that was built on a bench, with errors and costs from meters. */
@@ -161,8 +139,8 @@ final class DemoPlates {
     }
 
     /**
-     * Draws what there is room for; in a hand also buttons, since there are no keys, and more of
-     * them beside the tabs.
+     * Draws what there is room for. A handheld window, which has no keys, also gets buttons, some
+     * of them beside the tabs.
      */
     void draw(
             Canvas canvas,
@@ -178,7 +156,6 @@ final class DemoPlates {
             return;
         }
         inHand = Optional.empty();
-        controls = all;
         if (isHidden) {
             return;
         }
@@ -189,7 +166,7 @@ final class DemoPlates {
         }
     }
 
-    /** What is not drawn cannot be pressed. */
+    /** Forgets all places: plates that are not drawn cannot be pressed. */
     private void forget() {
         tabs.clear();
         buttons.clear();
@@ -198,8 +175,7 @@ final class DemoPlates {
         if (isHidden || !folds.isOpen(Fold.EFFECTS)) {
             effects.hide();
         }
-        controls.place(0, 0, Plate.NONE.width());
-        areControlsDrawn = false;
+        controls.hide();
     }
 
     private void drawOver(Canvas canvas, boolean isPaused) {
@@ -209,12 +185,12 @@ final class DemoPlates {
         double row = EDGE + AccuracyBar.height(canvas.layout(), width) + GAP;
         double sideWidth = SIDE_WIDTH * type;
         double right = Scene.WIDTH - EDGE - sideWidth;
-        double controlsWidth = Math.min(WIDEST_CONTROLS, CONTROLS_WIDTH * type);
+        double controlsWidth = Math.min(WIDEST_CONTROLS, DemoControls.WIDTH * type);
         tabs.draw(canvas, tabs(fold -> !fold.isAtTheSide()), EDGE, row, controlsWidth);
         tabs.draw(canvas, tabs(Fold::isAtTheSide), right, row, sideWidth);
         double below = row + Tabs.HEIGHT + Tabs.GAP;
         if (folds.isOpen(Fold.CONTROLS)) {
-            drawControls(canvas, EDGE, below, controlsWidth);
+            controls.draw(canvas, EDGE, below, controlsWidth);
         }
         if (folds.isOpen(Fold.EFFECTS)) {
             effects.drawAbove(canvas, EDGE, Scene.HEIGHT - EDGE, width);
@@ -233,7 +209,7 @@ final class DemoPlates {
         tabs.draw(canvas, tabs(Fold::isAtTheSide), x, row, width);
         double below = row + Tabs.HEIGHT + Tabs.GAP;
         if (folds.isOpen(Fold.CONTROLS)) {
-            drawControls(canvas, x, below, width);
+            controls.draw(canvas, x, below, width);
         }
         if (folds.isOpen(Fold.EFFECTS)) {
             effects.draw(canvas, x, below, width);
@@ -246,7 +222,7 @@ final class DemoPlates {
         double width = layout.columnWidth();
         double left = layout.leftColumn();
         accuracy.draw(canvas, left, EDGE, width, isPaused);
-        drawControls(canvas, left, EDGE + AccuracyBar.height(layout, width) + GAP, width);
+        controls.draw(canvas, left, EDGE + AccuracyBar.height(layout, width) + GAP, width);
         double right = layout.rightColumn();
         tabs.draw(canvas, tabs(Fold::isAtTheSide), right, EDGE, width);
         drawSide(canvas, right, EDGE + Tabs.HEIGHT + Tabs.GAP, width);
@@ -276,19 +252,12 @@ final class DemoPlates {
 
     private void draw(Canvas canvas, Fold fold, Plate room, boolean isPaused) {
         switch (fold) {
-            case CONTROLS -> drawPanel(canvas, handled, room);
-            case NUMBERS -> drawPanel(canvas, numbers, room);
+            case CONTROLS -> controls.drawControls(canvas, room);
+            case NUMBERS -> controls.drawNumbers(canvas, room);
             case ACCURACY -> accuracy.draw(canvas, room.x(), room.y(), room.width(), isPaused);
             case EFFECTS -> effects.draw(canvas, room);
             case FRAME, ENERGY, GHOST -> drawSide(canvas, room.x(), room.y(), room.width());
         }
-    }
-
-    private void drawPanel(Canvas canvas, Panel panel, Plate room) {
-        controls = panel;
-        controls.place(room);
-        controls.draw(canvas);
-        areControlsDrawn = true;
     }
 
     /** Where a point, px, is on the canvas of the plates. */
@@ -302,12 +271,6 @@ final class DemoPlates {
 
     private List<Fold> tabs(Predicate<Fold> wanted) {
         return Arrays.stream(Fold.values()).filter(wanted).filter(folds::hasTab).toList();
-    }
-
-    private void drawControls(Canvas canvas, double x, double y, double width) {
-        controls.place(x, y, width);
-        controls.draw(canvas);
-        areControlsDrawn = true;
     }
 
     private void drawSide(Canvas canvas, double x, double y, double width) {
@@ -325,9 +288,7 @@ final class DemoPlates {
         Narrator own = inHand.map(canvas -> canvas.telling(narrator)).orElse(narrator);
         accuracy.describe(own);
         tabs.describe(own);
-        if (areControlsDrawn) {
-            controls.describe(own);
-        }
+        controls.describe(own);
         effects.describe(own);
     }
 
@@ -343,12 +304,12 @@ final class DemoPlates {
                 || button(px, py).isPresent();
     }
 
-    /** The button at a point, px, in a hand. */
+    /** The button at a point, px, in a handheld window. */
     Optional<HandButtons.Item> button(double px, double py) {
         return buttons.at(px, py);
     }
 
-    /** When a finger at a point, px, presses what is there. */
+    /** When a finger at a point, px, presses. */
     Tap tap(double px, double py) {
         double x = plateX(px);
         double y = plateY(py);

@@ -187,7 +187,7 @@ final class DemoScene implements Scene {
         }
     }
 
-    /** What keys ask for; a hand has none. */
+    /** Draws the legend and the help that keys open; a handheld window has no keys. */
     private void drawNotes(Canvas canvas) {
         if (isDebugging) {
             DebugLegend.draw(canvas, director.words(), LEGEND_LEFT, HEIGHT - LEGEND_ABOVE);

@@ -79,7 +79,7 @@ final class FloodDemo implements Demo {
         this(words, Runtime.getRuntime().availableProcessors());
     }
 
-    /** A flood on a machine with so many processors. */
+    /** A flood on a machine with a number of processors. */
     FloodDemo(Words words, int processors) {
         this.words = words;
         crews = new Crews(words, processors);

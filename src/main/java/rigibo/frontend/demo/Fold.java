@@ -4,10 +4,10 @@ package rigibo.frontend.demo;
 enum Fold {
     CONTROLS("fold.controls"),
 
-    /** Readouts, in a hand apart from the controls. */
+    /** Readouts, which are a plate of their own in a handheld window. */
     NUMBERS("fold.numbers"),
 
-    /** Only in a hand, where there is no room to show it always. */
+    /** A plate only in a handheld window; others always show it. */
     ACCURACY("fold.accuracy"),
     EFFECTS("fold.effects"),
     FRAME("fold.frame"),
@@ -25,12 +25,12 @@ enum Fold {
         return key;
     }
 
-    /** Whether it has a tab in a hand only. */
+    /** Whether it has a tab in a handheld window only. */
     boolean isForHands() {
         return this == NUMBERS || this == ACCURACY;
     }
 
-    /** Whether it is one of those of which one is shown at a time, in one place. */
+    /** Whether it stands at the side, where one plate is shown at a time. */
     boolean isAtTheSide() {
         return this == FRAME || this == ENERGY || this == GHOST;
     }

@@ -6,9 +6,9 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * Which plates of a demo are open. Over the scene all begin folded, so that the scene can be seen;
- * beside it, in one column, one of them is open; in two columns all are, and one of those at the
- * side. In a hand one of them is open, or none.
+ * Which plates of a demo are open. Where they lie over the scene, all begin folded, so that the
+ * scene can be seen. In one column beside it, one plate is open. In two columns all are open, with
+ * one of those at the side. In a handheld window at most one is open.
  */
 final class Folds {
 
@@ -69,7 +69,7 @@ final class Folds {
         open.add(fold);
     }
 
-    /** Folds a plate; beside the scene what is open at first takes its place. */
+    /** Folds a plate; beside the scene the plate that was open at first takes its place. */
     private void close(Fold fold) {
         open.remove(fold);
         if (columns == 1 && open.isEmpty() || columns == 2 && open.size() < first().size()) {

@@ -18,9 +18,7 @@ final class FrameTimes {
     /** Number of frames in a hundred that must be in time for a rate to count as held. */
     private static final int HELD = 95;
 
-    /**
-     * Number of steps from which on figures are told: one that is late by chance decides nothing.
-     */
+    /** Fewest steps that give figures, so that a single late one does not decide them. */
     private static final int MEASURED = 30;
 
     /** Least share that one load is of another if times are to be compared. */

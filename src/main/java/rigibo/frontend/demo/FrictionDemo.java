@@ -30,7 +30,7 @@ final class FrictionDemo implements Demo {
 
     private static final double GRAVITY = 9.81;
 
-    /** Of the way until a box stops. */
+    /** The formula of the distance until a box stops. */
     private static final String FORMULA = "v²/2g(µ·cosα + sinα)";
 
     private static final double START = 2;

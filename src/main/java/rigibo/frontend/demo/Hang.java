@@ -65,7 +65,7 @@ final class Hang {
      *
      * @param length from the pin to the middle of the last bob, m
      * @param angle from the vertical, rad, to the right
-     * @param ratio of the lowest mass to that of what it hangs on
+     * @param ratio of the lowest mass to the mass it hangs on
      */
     Hang(Workbench bench, Kind kind, double length, double angle, double ratio) {
         this.bench = bench;

@@ -175,7 +175,10 @@ final class PendulumDemo implements Demo {
         return kind == Hang.Kind.SINGLE && isFree();
     }
 
-    /** Period by the elliptic integral, s, if there is a single pendulum and nobody holds it. */
+    /**
+     * Period by the elliptic integral, s, if there is a single pendulum and the pointer does not
+     * hold it.
+     */
     OptionalDouble predicted() {
         boolean moves = isSwing() && swing.share() > 0 && swing.share() != 1;
         return moves ? OptionalDouble.of(swing.predicted()) : OptionalDouble.empty();
@@ -205,7 +208,7 @@ final class PendulumDemo implements Demo {
         return hang.isWhole() ? OptionalDouble.of(hang.tension()) : OptionalDouble.empty();
     }
 
-    /** What hangs. */
+    /** The pendulum as it hangs. */
     Hang hang() {
         return hang;
     }

@@ -19,7 +19,7 @@ import java.util.function.DoubleSupplier;
  */
 final class ReferenceBall {
 
-    /** Of the height after n bounces; e is the elasticity. */
+    /** The formula of the height after n bounces; e is the elasticity. */
     static final String FORMULA = "h·e^(2n)";
 
     private static final double G = 9.81;

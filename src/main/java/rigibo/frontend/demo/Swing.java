@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
  */
 final class Swing {
 
-    /** Of the period; M is the arithmetic-geometric mean. */
+    /** The formula of the period; M is the arithmetic-geometric mean. */
     static final String FORMULA = "2π√(L/g)/M(1, cos½θ)";
 
     /** Relative difference at which the arithmetic-geometric mean has converged. */

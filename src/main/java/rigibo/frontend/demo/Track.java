@@ -84,8 +84,8 @@ final class Track {
 
     /**
      * Lays the planks along the funicular polygon of their own weight, so that the bridge begins at
-     * rest: plank k of n leans by tan θ = (2k − n − 1)·w/(2H), where H is such that it spans the
-     * gap.
+     * rest. Plank k of n leans by tan θ = (2k − n − 1)·w/(2H), with H chosen so that the bridge
+     * spans the gap.
      */
     private void layBridge() {
         double length = SLACK * (GAP_TO - GAP_FROM) / PLANKS;

@@ -228,7 +228,7 @@ final class WheelDemo implements Demo {
         return friction * GRAVITY * Angle.cos(Angle.ofDegrees(slope));
     }
 
-    /** Of the acceleration down the ramp, with τ the torque about the contact. */
+    /** The formula of the acceleration down the ramp; τ is the torque about the contact. */
     private String formula() {
         return slips() ? "g·sinα ± µ·g·cosα" : "τ/(m·r·(1 + k))";
     }

@@ -160,8 +160,8 @@ final class Workbench implements Bench {
     }
 
     /**
-     * Reports the impacts of the last step as sounds, unless nobody listens: a flood has thousands
-     * of them.
+     * Reports the impacts of the last step as sounds, unless the sound is off: a flood has
+     * thousands of impacts.
      */
     void tell(Sounds sounds) {
         if (sounds.isHeard()) {
@@ -170,7 +170,7 @@ final class Workbench implements Bench {
     }
 
     /**
-     * Makes or removes the ghost, a copy of the scene as it is now. When the scene's accuracy
+     * Makes or removes the ghost, a copy of the scene's present state. When the scene's accuracy
      * changes, a new ghost is made.
      */
     void haunt(boolean isHaunted) {
@@ -183,7 +183,7 @@ final class Workbench implements Bench {
         }
     }
 
-    /** Makes a ghost of the scene as it is now, at a given accuracy. */
+    /** Makes a ghost of the scene's present state, at a given accuracy. */
     void haunt(Ghost certain) {
         ghost = certain;
         hauntedAt = pool.accuracy();

@@ -202,7 +202,10 @@ public final class Display implements Director {
         opener = Optional.of(opening);
     }
 
-    /** Sets the function that makes a scene of a code that is pasted; none of what is no code. */
+    /**
+     * Sets the function that makes a scene from pasted text; it returns none if the text is not a
+     * code.
+     */
     public void opensCodesBy(BiFunction<Director, String, Optional<Scene>> decoding) {
         decoder = Optional.of(decoding);
     }

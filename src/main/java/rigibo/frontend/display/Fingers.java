@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.function.DoubleSupplier;
 
 /**
- * Fingers on a screen. One alone is a pointer; as a second one comes down, the first gives up what
- * it has begun, and the two of them move and enlarge what is seen until all are lifted.
+ * Fingers on a screen. One alone is a pointer. When a second one comes down, what the first has
+ * begun is cancelled, and the two move and enlarge the view until all are lifted.
  */
 final class Fingers {
 
@@ -93,7 +93,7 @@ final class Fingers {
         leave(id);
     }
 
-    /** The system took a finger, for a gesture of its own. */
+    /** The system took over a finger for a gesture of its own. */
     void taken(int id) {
         pointer.taken();
         leave(id);

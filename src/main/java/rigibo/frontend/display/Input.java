@@ -94,17 +94,17 @@ final class Input {
         }
     }
 
-    /** When a finger presses what is under the pointer. */
+    /** When a finger presses at the pointer's place. */
     Tap tap() {
         return wayBack.contains(x, y) ? Tap.LIFTED : scene.tap(x, y);
     }
 
-    /** A finger begins or ends to choose what is under the pointer. */
+    /** A finger begins or stops choosing what is under the pointer. */
     void choosing(boolean isChoosing) {
         scene.choosing(isChoosing);
     }
 
-    /** What the pointer has begun is given up. */
+    /** Cancels what the pointer has begun. */
     void interrupted() {
         scene.interrupted();
     }

@@ -14,8 +14,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Random input for a test of the whole game: the pointer moves, clicks and drags anywhere, keys
- * with and without a meaning are pressed, windows are resized, lose the focus and are left for
+ * Random input for a test of the whole game: the pointer moves, clicks and drags anywhere; keys
+ * with and without a meaning are pressed; windows are resized, lose the focus and give way to
  * others. Every event enters where GLFW's callbacks deliver theirs.
  */
 public final class Monkey implements Display.Companion {
@@ -48,11 +48,11 @@ public final class Monkey implements Display.Companion {
     }
 
     /**
-     * What a run did; exceptions are thrown.
+     * The result of a run that threw no exception.
      *
      * @param turns of the loop, each 1/60 s
      * @param windows that were opened
-     * @param troubles what GLFW and OpenGL complained about
+     * @param troubles errors that GLFW and OpenGL reported
      */
     public record Report(int turns, int windows, List<String> troubles) {}
 

@@ -4,7 +4,7 @@ import rigibo.frontend.scene.Key;
 
 import java.nio.file.Path;
 
-/** What the tour does to come from one scene to another, as players do. */
+/** A way of the tour from one scene to another, as a player would take it. */
 public sealed interface Move {
 
     /**

@@ -78,14 +78,14 @@ public final class Offscreen implements AutoCloseable {
     }
 
     /**
-     * Draws a scene as it is now.
+     * Draws the present state of a scene.
      *
-     * @param seconds since it began, for what moves beside the physics, such as eyes that blink
+     * @param seconds since it began, for motion outside the physics, such as blinking eyes
      * @return its colours 0xRRGGBB, row by row from the top
      */
     public int[] picture(Scene scene, double seconds) {
         if (!isBaked) {
-            // What is computed once for all frames binds the window's own framebuffer afterwards.
+            // Textures that are computed once leave the window's own framebuffer bound afterwards.
             draw(scene, seconds);
             isBaked = true;
         }

@@ -7,7 +7,7 @@ import rigibo.frontend.scene.Scene;
 
 import java.util.Optional;
 
-/** Finds in a scene what has a certain name. */
+/** Finds the control with a certain name in a scene. */
 final class Signpost implements Narrator {
 
     private final String wanted;

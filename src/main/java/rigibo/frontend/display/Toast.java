@@ -49,8 +49,9 @@ final class Toast {
     }
 
     /**
-     * Upper edge, px. Headlines are in the upper half of most scenes: it lies over what is known
-     * best, the keys at the lower edge, or in a hand, where those are for thumbs, the upper bar.
+     * Upper edge, px. The toast lies over what players know best. That is the row of keys at the
+     * lower edge, since most scenes have headlines in the upper half. In a handheld window, where
+     * thumbs use the lower edge, it is the upper bar.
      */
     private static double top(Layout layout, double height) {
         return layout.isInHand() ? layout.seenTop() + EDGE : layout.seenBottom() - EDGE - height;

@@ -128,7 +128,7 @@ public final class Tour implements Display.Companion {
         demonstration.ifPresent(show -> play(show, display.input()));
     }
 
-    /** Begins with a scene, or with what comes after a move. */
+    /** Begins with a scene, or with the scene that a move leads to. */
     private void begin() {
         turn = 0;
         overSince = -1;

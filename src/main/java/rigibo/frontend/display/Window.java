@@ -53,7 +53,7 @@ final class Window {
     /** Darkness from which on a picture can be made out, 0 to 1. */
     private static final double DUSK = 0.5;
 
-    /** Whether a picture was shown: nobody can mean what is pressed before. */
+    /** Whether a picture was shown; input that came before cannot be meant for the scene. */
     private boolean isSeen;
 
     /** Darkness of the picture that was drawn last. */
@@ -99,7 +99,7 @@ final class Window {
         glfwShowWindow(handle);
     }
 
-    /** Draws pictures that nobody sees, as long as it is to be found out how long one takes. */
+    /** Draws pictures that are not shown, to find out how long one takes. */
     private void tryDetail(Settings.Detail chosen) {
         while (choice.isOpen(chosen)) {
             choice.tried(draw(chosen, 0));
@@ -142,7 +142,7 @@ final class Window {
         layOut();
     }
 
-    /** Finds out what the window shows; what is pressed next is where it was seen. */
+    /** Updates the layout, so that the next press hits what the player saw at that place. */
     private void layOut() {
         glfwGetWindowSize(handle, width, height);
         int units = Math.max(1, width[0]);
@@ -180,8 +180,7 @@ final class Window {
     }
 
     /**
-     * Translates a letter key to what is printed on it, since Z and Y change places between
-     * keyboard layouts.
+     * Translates a letter key to the letter printed on it, since keyboard layouts exchange Z and Y.
      */
     private static int asLabelled(int key, int code) {
         String label = key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? glfwGetKeyName(key, code) : null;

@@ -3,8 +3,7 @@ package rigibo.frontend.document;
 import java.util.Locale;
 
 /**
- * Why a file cannot be used, as its player is told; authors read the problem's message, which says
- * it exactly.
+ * Why a file cannot be used, in words for players; authors read the exact message of the problem.
  */
 public enum Cause {
     /** Something in it is not as it must be. */

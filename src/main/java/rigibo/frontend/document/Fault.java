@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What is wrong with a value: exactly, for whoever reads the file, and as a sentence of the bundles
+ * What is wrong with a value: an exact message for the file's author, and a sentence of the bundles
  * for players.
  *
- * @param kind of the sentence, such as E120; empty for none but that of the cause
+ * @param kind of the sentence, such as E120; empty if the sentence of the cause is enough
  * @param message what is wrong and what was expected
- * @param values that the sentence names; a word of the bundles as {@code @} and its key
+ * @param values named in the sentence; a word of the bundles is given as {@code @} and its key
  */
 public record Fault(String kind, String message, List<String> values) {
 

@@ -32,10 +32,10 @@ public final class FileText {
     }
 
     /**
-     * What is in a file, at most one byte more than {@link #decode} takes.
+     * Reads a file, at most one byte more than {@link #decode} accepts.
      *
-     * @throws IOException when it cannot be read, or is a folder, or a device or a pipe, at which a
-     *     reader might wait for ever
+     * @throws IOException when it cannot be read, or is a folder, a device or a pipe; reading from
+     *     a device or a pipe might never end
      */
     public static byte[] bytes(Path file) throws IOException {
         if (Files.isDirectory(file)) {

@@ -45,8 +45,8 @@ public final class JsonSchema {
     /**
      * Reports every violation of the schema.
      *
-     * @return whether what it leaves can be looked at any further: nothing is too long, and each
-     *     value at fault is told
+     * @return whether the document can be checked any further: nothing is too long, and every wrong
+     *     value was reported
      */
     public boolean admits(Document document) {
         if (!Sizes.areKept(schema.getSchemaNode(), document)) {

@@ -41,12 +41,12 @@ public final class Pack {
     /**
      * A file of a pack.
      *
-     * @param name what messages call it
-     * @param text what it contains
+     * @param name its name in messages
+     * @param text its content
      */
     public record Entry(String name, String text) {}
 
-    /** What a pack must not be. */
+    /** The limits of a pack. */
     private static final class Refused extends IOException {
         private static final long serialVersionUID = 1;
         private final Cause cause;
@@ -65,7 +65,7 @@ public final class Pack {
     /**
      * The files of a pack.
      *
-     * @param errors takes what is wrong with the pack, and with files that are no text
+     * @param errors receives the problems of the pack, and of files that are not text
      */
     public static List<Entry> read(Path place, List<Problem> errors) {
         Pack pack = new Pack(place, errors);

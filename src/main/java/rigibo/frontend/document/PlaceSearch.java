@@ -14,7 +14,7 @@ final class PlaceSearch {
     /**
      * Where a value was found.
      *
-     * @param name where its name begins; for what has none, as the value
+     * @param name where its name begins; if it has none, where the value begins
      * @param value where it begins
      */
     record Found(Place name, Place value) {}

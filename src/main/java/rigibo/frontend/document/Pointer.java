@@ -8,7 +8,7 @@ final class Pointer {
 
     private Pointer() {}
 
-    /** The pointer of a member or an element of what is at a pointer. */
+    /** The pointer of a member or an element of the value at a pointer. */
     static String member(String pointer, String name) {
         return pointer + "/" + name.replace("~", "~0").replace("/", "~1");
     }

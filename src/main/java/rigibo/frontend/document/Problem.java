@@ -31,7 +31,7 @@ public record Problem(
         return new Problem(Severity.ERROR, file, Place.START, "", fault, cause);
     }
 
-    /** What is wrong and what was expected, exactly. */
+    /** The exact message: what is wrong and what was expected. */
     public String message() {
         return Escape.controls(fault.message());
     }

@@ -10,8 +10,8 @@ import java.util.stream.Collectors;
 public final class Problems {
 
     /**
-     * Most problems that are reported: nobody mends more at once, and each is looked up in the
-     * file.
+     * Most problems that are reported. Nobody mends more at once, and the place of each has to be
+     * searched for in the file.
      */
     static final int MOST_TOLD = 100;
 

@@ -15,18 +15,18 @@ import java.util.zip.Deflater;
 import java.util.zip.Inflater;
 
 /**
- * A JSON document as letters that fit into a message: packed (RFC 1951), preceded by its checksum,
- * in the letters of base64url (RFC 4648, 5), after a word that says what it is.
+ * A JSON document as a text short enough for a message: a word for its kind, then its checksum and
+ * the compressed document (RFC 1951) in base64url (RFC 4648, 5).
  *
- * @param kind what the document is
- * @param text the document; whether it is sound is for its reader to find out
+ * @param kind kind of the document
+ * @param text the document; its reader has to check it
  */
 public record ShareCode(Kind kind, String text) {
 
     /** Most letters of a code: more are too many to be pasted anywhere. */
     public static final int MOST_LETTERS = 2_000;
 
-    /** What messages call a code. */
+    /** The name of a code in messages. */
     public static final String NAME = "code";
 
     private static final String START = "RIGIBO-";
@@ -34,7 +34,7 @@ public record ShareCode(Kind kind, String text) {
     /** B of the checksum. */
     private static final int CHECKSUM = 4;
 
-    /** What a code may be. */
+    /** The kinds of codes. */
     public enum Kind {
         LEVEL,
         REPLAY;

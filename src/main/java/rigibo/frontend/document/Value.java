@@ -70,7 +70,7 @@ public final class Value {
     /**
      * A text of a required form.
      *
-     * @param shape what it must be, in words
+     * @param shape the required form, in words
      */
     public String text(Pattern pattern, String shape, String instead) {
         return is(
@@ -137,7 +137,7 @@ public final class Value {
         return instead;
     }
 
-    /** Reports what this must be, and what it is instead. */
+    /** Reports what this must be, and what was found instead. */
     public void wrong(String must) {
         error(() -> must + ", was " + Escape.shown(node));
     }

@@ -149,7 +149,7 @@ final class BodyBatch {
         particles.add(kind, camera.screenX(x), camera.screenY(y), half, angle, color);
     }
 
-    /** Draws what was gathered, and empties the batch. */
+    /** Draws the bodies gathered, and empties the batch. */
     void draw(Layout layout) {
         bodyProgram.use();
         bodyProgram.set("veil", (float) veil);

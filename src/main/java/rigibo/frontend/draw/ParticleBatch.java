@@ -14,7 +14,7 @@ final class ParticleBatch {
         SPLINTER,
         /** Fades towards its edge. */
         PUFF,
-        /** Adds its light to what is there. */
+        /** Adds its light to the picture. */
         GLOW
     }
 

@@ -15,7 +15,8 @@ final class PlateVertex {
     }
 
     /**
-     * What follows a vertex's position: its way from the centre, the plate's extents, its colour.
+     * The attributes of a vertex after its position: offset from the centre, extents of the plate,
+     * colour.
      */
     static void put(
             FloatBuffer to,

@@ -103,7 +103,9 @@ final class SkinBatch {
         }
     }
 
-    /** Along the fan's spokes the way to the outline is what is left of the longest way. */
+    /**
+     * Along the spokes of the fan, the distance to the outline is the rest of the longest distance.
+     */
     private void fan(Polygon polygon) {
         double scale = at.scale();
         double reach = polygon.boundingRadius() * scale;

@@ -13,7 +13,7 @@ import rigibo.frontend.scene.widget.Plate;
 
 import java.util.Locale;
 
-/** Names of what lies on the desk, for authors who do not see it. */
+/** Names of the things on the desk, for authors who do not see them. */
 final class DeskNames {
 
     /** Round about the point at which something is pressed, px. */

@@ -53,7 +53,10 @@ final class Drawer {
         return new DraftFiles(folder);
     }
 
-    /** What is wrong with a file or code; of a disk that refuses, what the system says. */
+    /**
+     * A sentence about what is wrong with a file or code; if the disk refuses, the system's own
+     * message.
+     */
     static String told(Words words, IOException why) {
         if (why instanceof Unreadable unreadable) {
             String key = unreadable.isSetAside() ? "editor.say.aside" : "editor.say.trouble";
@@ -62,7 +65,7 @@ final class Drawer {
         return words.of("editor.say.refused", why.getMessage());
     }
 
-    /** What went wrong at the start. */
+    /** The problem found when the editor opened, if any. */
     Optional<IOException> trouble() {
         return trouble;
     }

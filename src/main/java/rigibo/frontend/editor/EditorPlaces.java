@@ -9,15 +9,15 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Where things are in a window that is held in a hand, px of a sheet: buttons above and below the
- * draft, or beside it.
+ * Where things are in a handheld window, px of a sheet: buttons above and below the draft, or
+ * beside it.
  *
- * @param commands that are always there
- * @param tabs each of which opens the drawer
- * @param status what was done last, or what can be done
- * @param zoom the two buttons for it
- * @param draft what is left to the draft
- * @param drawer over a part of the draft, where it is open and full
+ * @param commands the commands that are always there
+ * @param tabs the tabs that open the drawer
+ * @param status the line that tells what was done last, or what can be done
+ * @param zoom the two buttons for zooming
+ * @param draft the room for the draft
+ * @param drawer the open and full drawer, which lies over a part of the draft
  */
 record EditorPlaces(
         List<Area> commands,
@@ -101,7 +101,7 @@ record EditorPlaces(
         return IntStream.range(from, to).mapToObj(grid::place).map(Area::of).toList();
     }
 
-    /** What lies around the draft, up to the edges of a window. */
+    /** The places around the draft, up to the edges of a window. */
     List<Area> frame(Layout sheet) {
         double width = sheet.width();
         double height = sheet.height();
@@ -113,7 +113,7 @@ record EditorPlaces(
                 : List.of(new Area(0, 0, draft.x() - GAP / 2, height));
     }
 
-    /** The drawer no higher than what is in it, px: at the foot of the draft, or beside it. */
+    /** The drawer, no higher than its content, px: at the foot of the draft, or beside it. */
     Area drawer(double height) {
         double spare = Math.max(0, drawer.height() - height);
         return isBelow() ? drawer.raised(-spare) : drawer.shortened(spare);
@@ -123,7 +123,7 @@ record EditorPlaces(
         return drawer.width() == draft.width();
     }
 
-    /** What an open drawer leaves to the draft. */
+    /** The room that an open drawer leaves for the draft. */
     Area beside(Area open) {
         return isBelow()
                 ? new Area(draft.x(), draft.y(), draft.width(), open.y() - GAP - draft.y())

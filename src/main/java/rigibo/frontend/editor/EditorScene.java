@@ -96,7 +96,7 @@ final class EditorScene implements Scene {
         return link.choices().size() == (isOff ? 1 : 0);
     }
 
-    /** That of the draft, since it is the level's. */
+    /** The draft's scenery, which is also that of the level. */
     @Override
     public Scenery scenery() {
         double gravityX = Decimal.read(draft().at("/world/gravity/0"), 0);
@@ -147,7 +147,7 @@ final class EditorScene implements Scene {
         }
     }
 
-    /** Tells of all buttons and fields, and of what lies on the desk. */
+    /** Tells of all buttons and fields, and of the things on the desk. */
     @Override
     public void describe(Narrator narrator) {
         Optional<Scene> played = played();

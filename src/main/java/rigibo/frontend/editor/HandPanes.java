@@ -23,8 +23,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * All around the draft in a window that is held in a hand: some commands, a line of what is going
- * on, and a drawer for everything else, of which one leaf is open at a time.
+ * All around the draft in a handheld window: some commands, a line that tells what is going on, and
+ * a drawer for everything else. The drawer has several leaves, one of which is open at a time.
  */
 final class HandPanes {
 
@@ -33,10 +33,10 @@ final class HandPanes {
     private static final double ZOOM = 1.25;
     private static final int COLUMNS = 2;
 
-    /** Keys that are told in brackets behind what a button does. */
+    /** The names of keys, which button texts give in brackets. */
     private static final String KEYS = " \\((Ctrl\\+|Strg\\+)?\\p{Lu}[a-z]*\\)";
 
-    /** What the drawer can hold. */
+    /** The leaves of the drawer. */
     private enum Leaf {
         BUILD,
         FIELDS,
@@ -54,7 +54,7 @@ final class HandPanes {
     /**
      * Panes of a workshop.
      *
-     * @param back leaves what is innermost, as Esc does
+     * @param back leaves the innermost thing that is open, as Esc does
      */
     HandPanes(Workshop shop, Runnable back) {
         this.shop = shop;
@@ -125,7 +125,9 @@ final class HandPanes {
         button(pane, places.get(3), "test", true, shop::startTest);
     }
 
-    /** What is typed, above everything: a keyboard on the screen hides the lower half of it. */
+    /**
+     * Draws the text that is typed at the top, since a keyboard on the screen hides the lower half.
+     */
     private void typing(Pane pane, EditorPlaces places) {
         Area first = places.commands().get(0);
         Area last = places.commands().get(EditorPlaces.COMMANDS - 1);
@@ -178,7 +180,7 @@ final class HandPanes {
         }
     }
 
-    /** What is taken up is used on the draft, which the drawer makes room for. */
+    /** A tool that was just chosen is used on the draft, so the drawer closes. */
     private void take(Craft craft) {
         shop.take(craft);
         shut();
@@ -219,7 +221,7 @@ final class HandPanes {
     /** A button of the drawer, dimmed where there is nothing to do. */
     private record Entry(String key, boolean isBright, Runnable action) {}
 
-    /** What a command leads to is seen on the draft. */
+    /** The effect of a command shows on the draft, so the drawer closes. */
     private void use(Entry entry) {
         shut();
         entry.action.run();
@@ -259,7 +261,10 @@ final class HandPanes {
                 () -> camera.zoom(factor, seen.middleX(), seen.middleY()));
     }
 
-    /** What lies under a finger, or the problem that was chosen from the list. */
+    /**
+     * The sentence about the thing under a finger, or about the problem that was chosen from the
+     * list.
+     */
     private Optional<String> told(Pane pane, List<Finding> findings) {
         return pane.spots()
                 .at(pane.pointerX(), pane.pointerY())

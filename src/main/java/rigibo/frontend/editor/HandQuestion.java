@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What an author is asked in a window that is held in a hand, and what the tool has a use for, at
- * the foot of the draft.
+ * The questions to an author in a handheld window, and the buttons of the tool, at the foot of the
+ * draft.
  */
 final class HandQuestion {
 
@@ -31,14 +31,14 @@ final class HandQuestion {
 
     private record Answer(String key, Runnable action) {}
 
-    /** What a workshop asks over a part of the window. */
+    /** The questions of a workshop, which cover a part of the window. */
     HandQuestion(Workshop shop, Pane pane, Area part) {
         this.shop = shop;
         this.pane = pane;
         this.part = part;
     }
 
-    /** Draws what is asked, or else the tool's buttons, if they have room. */
+    /** Draws the question, or else the tool's buttons if there is room for them. */
     void draw(boolean hasRoom) {
         if (shop.drawer().offered().isPresent()) {
             asked = words("offer");

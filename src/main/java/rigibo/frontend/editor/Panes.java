@@ -28,7 +28,7 @@ final class Panes {
 
     private static final double ROW = 22;
 
-    /** Of the plates at the top and at the foot, px. */
+    /** Heights of the plates at the top and at the foot, px. */
     private static final double MARGIN = 7;
 
     /** Radius of the ring around what a problem concerns, px. */
@@ -37,7 +37,7 @@ final class Panes {
     /** Below the chips of the effects, px. */
     private static final double GAP = 3;
 
-    /** Height of the lines below the chips with what is around them, px. */
+    /** Height of the lines below the chips, with their margins, px. */
     private static final double LINES = 79;
 
     private final Workshop shop;
@@ -79,7 +79,7 @@ final class Panes {
                 .ifPresent(item -> pointAt(item.toWorld(item.form().centre())));
     }
 
-    /** Leads from the problem under the pointer to what it concerns. */
+    /** Selects the thing that the problem under the pointer is about. */
     private void pointAt(Point at) {
         Camera camera = shop.desk().camera();
         double x = camera.screenX(at.x());
@@ -165,7 +165,7 @@ final class Panes {
                 .filter(words -> !words.isEmpty());
     }
 
-    /** The problem of what is under the pointer on the desk. */
+    /** The problem of the thing under the pointer on the desk. */
     private Optional<Finding> findingUnderPointer() {
         if (pane.spots().at(pane.pointerX(), pane.pointerY()).isPresent()) {
             return Optional.empty();

@@ -37,7 +37,7 @@ final class Reaches {
         middle = item.toWorld(item.form().centre());
     }
 
-    /** Draws what an item reaches, if it acts on anything beside it. */
+    /** Draws the reach of an item that acts on other things, such as a fan. */
     static void draw(Canvas canvas, Camera camera, Item item) {
         Reaches reaches = new Reaches(canvas, camera, item);
         JsonNode node = item.node();

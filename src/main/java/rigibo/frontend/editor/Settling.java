@@ -24,10 +24,13 @@ final class Settling {
     /** Steps in each turn: eight times as fast as in play. */
     private static final int HASTE = 8;
 
-    /** What has not come to rest by then never will, such as what a motor drives. */
+    /** A draft that has not come to rest by then never will: for instance, a motor drives it. */
     private static final int LONGEST = Steps.of(30);
 
-    /** Still for so long is at rest: at the top of a swing everything is still for a moment. */
+    /**
+     * A draft that stays still for this many steps is at rest; at the top of a swing everything is
+     * still for a moment.
+     */
     private static final int STILL = Steps.of(1);
 
     /** Below the world, so deep that nothing comes back from there, m. */
@@ -129,7 +132,7 @@ final class Settling {
         return posed;
     }
 
-    /** What forces move, by where the draft states it. */
+    /** The bodies that forces move, by their place in the draft. */
     private Map<String, RigidBody> bodies() {
         Map<String, RigidBody> bodies = new LinkedHashMap<>();
         for (int i = 0; i < game.balls().size(); i++) {

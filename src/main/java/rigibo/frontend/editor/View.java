@@ -7,7 +7,7 @@ import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Scene;
 
-/** The layout of the window on a desk, and how much of the draft is seen. */
+/** The layout of the desk, and how much of the draft is seen. */
 final class View {
 
     static final Area TOP = new Area(4, 4, 712, 44);
@@ -45,10 +45,10 @@ final class View {
     }
 
     /**
-     * The draft has another part of the window to itself: what was in its middle stays there, or
-     * all of it is shown where the window has another shape.
+     * Gives the draft another part of the window. The middle of the view stays the middle; if the
+     * part has another shape, the whole draft is shown.
      *
-     * @param most of the part when nothing lies over it
+     * @param most the part when nothing lies over it
      */
     void see(Area part, Area most) {
         if (!most.equals(whole)) {

@@ -52,15 +52,16 @@ final class Workshop {
     private Optional<Solution> won = Optional.empty();
     private Optional<Settling> settling = Optional.empty();
     private Optional<ListPane> list = Optional.empty();
-    private String remark = "";
+    private final Remark remark;
 
     Workshop(Director director, DraftFile first) {
         this.director = director;
+        remark = new Remark(director.words());
         drawer = new Drawer(director.levels(), first);
         desk = new Desk(first.draft(), View.camera(first.draft()));
         view = new View(desk);
         tool = new SelectTool(desk);
-        drawer.trouble().ifPresent(this::trouble);
+        drawer.trouble().ifPresent(remark::trouble);
     }
 
     Desk desk() {
@@ -107,11 +108,11 @@ final class Workshop {
         return list;
     }
 
-    /** What was done last, in words, or how far a proof is. */
+    /** A sentence about what was done last, or about how far a proof is. */
     String remark() {
-        return isProving() && remark.isEmpty()
+        return isProving() && remark.text().isEmpty()
                 ? words().of("editor.proving", proving.games())
-                : remark;
+                : remark.text();
     }
 
     boolean isProving() {
@@ -144,7 +145,7 @@ final class Workshop {
             inspection.look(desk.draft());
         }
         if (proving.tell(inspection)) {
-            say("checked", inspection.findings().size());
+            remark.say("checked", inspection.findings().size());
         }
         if (test.filter(TestRun::isLeft).isPresent()) {
             endTest();
@@ -159,9 +160,9 @@ final class Workshop {
         if (level.isPresent()) {
             won = Optional.empty();
             test = Optional.of(new TestRun(director, level.get()));
-            remark = "";
+            remark.clear();
         } else {
-            sayErrors("untestable", inspection.errors());
+            remark.sayErrors("untestable", inspection.errors(), desk.isInHand());
         }
     }
 
@@ -174,7 +175,7 @@ final class Workshop {
 
     void keepSolution() {
         won.ifPresent(desk::keep);
-        won.ifPresent(solution -> say("kept", solution.clicks().size()));
+        won.ifPresent(solution -> remark.say("kept", solution.clicks().size()));
         won = Optional.empty();
     }
 
@@ -182,7 +183,7 @@ final class Workshop {
     void keepForStar() {
         won.ifPresent(solution -> desk.change(Prize.proved(desk.draft(), solution)));
         won = Optional.empty();
-        say("kept.star");
+        remark.say("kept.star");
     }
 
     /** Plays the draft in all the ways that {@code levels check} does. */
@@ -191,9 +192,9 @@ final class Workshop {
         inspection.look(desk.draft());
         if (inspection.level().isPresent()) {
             proving.start(desk.draft());
-            remark = "";
+            remark.clear();
         } else {
-            sayErrors("unplayable", inspection.errors());
+            remark.sayErrors("unplayable", inspection.errors(), desk.isInHand());
         }
     }
 
@@ -205,9 +206,9 @@ final class Workshop {
                 new LevelLoader().parse("draft", Settled.loose(desk.draft()).toString());
         settling = loose.level().map(level -> new Settling(desk, level));
         if (settling.isPresent()) {
-            say("settling");
+            remark.say("settling");
         } else {
-            sayErrors("unsettled", loose.errors());
+            remark.sayErrors("unsettled", loose.errors(), desk.isInHand());
         }
     }
 
@@ -218,11 +219,11 @@ final class Workshop {
         }
         settling = Optional.empty();
         if (state == Settling.State.RESTED) {
-            say(hasSoftJoints() ? "settled.soft" : "settled");
+            remark.say(hasSoftJoints() ? "settled.soft" : "settled");
         } else {
             desk.choose(running.culprit());
             String name = desk.item().map(Joinery::name).orElse("");
-            say(state == Settling.State.LOST ? "settle.lost" : "settle.restless", name);
+            remark.say(state == Settling.State.LOST ? "settle.lost" : "settle.restless", name);
         }
     }
 
@@ -241,7 +242,7 @@ final class Workshop {
         if (isOn) {
             settling.get().cancel();
             settling = Optional.empty();
-            say("settle.stopped");
+            remark.say("settle.stopped");
         }
         return isOn;
     }
@@ -270,12 +271,12 @@ final class Workshop {
             inspection.look(desk.draft());
             String file = saved.file().map(Path::toString).orElse("");
             if (inspection.errors() > 0) {
-                say("saved.errors", file, inspection.errors());
+                remark.say("saved.errors", file, inspection.errors());
             } else {
-                say("saved", file);
+                remark.say("saved", file);
             }
         } catch (IOException refused) {
-            trouble(refused);
+            remark.trouble(refused);
         }
     }
 
@@ -283,7 +284,7 @@ final class Workshop {
     void begin(DraftFile other) {
         stopSettling();
         typing.cancel();
-        drawer.put(desk.draft()).ifPresent(this::trouble);
+        drawer.put(desk.draft()).ifPresent(remark::trouble);
         drawer.take(other);
         desk.lay(other.draft());
         view.home();
@@ -294,7 +295,7 @@ final class Workshop {
 
     void beginNew() {
         begin(new DraftFile(NewLevel.draft(), Optional.empty()));
-        remark = "";
+        remark.clear();
     }
 
     /** Opens the draft that was left unsaved, in place of this one. */
@@ -303,7 +304,7 @@ final class Workshop {
         drawer.offered()
                 .ifPresent(
                         left -> {
-                            drawer.put(present).ifPresent(this::trouble);
+                            drawer.put(present).ifPresent(remark::trouble);
                             drawer.takeUp();
                             desk.lay(left.left().draft());
                             view.home();
@@ -312,7 +313,7 @@ final class Workshop {
 
     /** Discards the draft that was left unsaved. */
     void refuse() {
-        drawer.refuse().ifPresent(this::trouble);
+        drawer.refuse().ifPresent(remark::trouble);
     }
 
     void showFiles() {
@@ -325,25 +326,25 @@ final class Workshop {
             String heading = words().of("editor.open.heading");
             list = Optional.of(new ListPane(heading, choices, this::closeList));
         } catch (IOException unreadable) {
-            trouble(unreadable);
+            remark.trouble(unreadable);
         }
     }
 
     private void open(Path file) {
         try {
             begin(DraftFiles.open(file));
-            say("opened", file.toString());
+            remark.say("opened", file.toString());
         } catch (IOException unreadable) {
-            trouble(unreadable);
+            remark.trouble(unreadable);
         }
     }
 
     /** Puts the draft on the clipboard, as a code. */
     void copyCode() {
         typing.end();
-        remark = "";
+        remark.clear();
         Optional<String> code = ShareCode.of(ShareCode.Kind.LEVEL, desk.draft().document());
-        code.ifPresentOrElse(director::copy, () -> say("too-long"));
+        code.ifPresentOrElse(director::copy, () -> remark.say("too-long"));
     }
 
     boolean handsOver() {
@@ -369,9 +370,9 @@ final class Workshop {
         }
         try {
             begin(DraftFiles.ofCode(text));
-            say("pasted");
+            remark.say("pasted");
         } catch (IOException unreadable) {
-            trouble(unreadable);
+            remark.trouble(unreadable);
         }
     }
 
@@ -386,17 +387,5 @@ final class Workshop {
         test.ifPresent(run -> run.scene().closed());
         drawer.put(desk.draft());
         proving.close();
-    }
-
-    private void trouble(IOException why) {
-        remark = Drawer.told(words(), why);
-    }
-
-    private void sayErrors(String key, int errors) {
-        say(key, errors, words().of(desk.isInHand() ? "editor.listed.hand" : "editor.listed"));
-    }
-
-    private void say(String key, Object... values) {
-        remark = words().of("editor.say." + key, values);
     }
 }

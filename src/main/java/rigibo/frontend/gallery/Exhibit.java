@@ -40,7 +40,7 @@ public interface Exhibit {
     /** Handles a press of the right button at a point of the world, m. */
     default void act(Pool pool, double x, double y) {}
 
-    /** Draws above the bodies what they do not show by themselves. */
+    /** Draws over the bodies whatever they do not show by themselves. */
     default void sketch(Pool pool, Sketch sketch) {}
 
     /** The initial view. */

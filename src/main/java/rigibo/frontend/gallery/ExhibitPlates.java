@@ -23,8 +23,8 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * The plates around a running exhibit: title, sentence and effects above, source and keys below; in
- * a column beside it where the window has room for one.
+ * The plates around a running exhibit: title, sentence and effects above, source and keys below.
+ * Where the window has room, they stand in a column beside it.
  */
 final class ExhibitPlates {
 
@@ -45,7 +45,7 @@ final class ExhibitPlates {
     /** Between two plates, px. */
     private static final double GAP = 6;
 
-    /** Height of a tab on a desk, and width of a plate at the side, px. */
+    /** Height of a tab and width of a plate at the side in a desktop window, px. */
     private static final double TAB = 26;
 
     private static final double SIDE = 240;
@@ -58,12 +58,12 @@ final class ExhibitPlates {
     private final ExhibitWords titles;
     private final HandButtons buttons = new HandButtons();
 
-    /** Whether all is said of it in a hand. */
+    /** Whether the whole text about the exhibit is open in a handheld window. */
     private boolean isOpen;
 
     private final Sides sides;
 
-    /** What all of it is drawn on in a hand. */
+    /** The canvas of the plates in a handheld window. */
     private Optional<Enlarged> inHand = Optional.empty();
 
     /** Notches of the wheel that have turned no page yet. */
@@ -85,7 +85,8 @@ final class ExhibitPlates {
     }
 
     /**
-     * Opens or folds what stands at the side; in a hand it lies where all is said of the exhibit.
+     * Opens or folds a plate at the side; in a handheld window it takes the place of the text about
+     * the exhibit.
      */
     void toggle(Side side) {
         isOpen = false;
@@ -102,7 +103,7 @@ final class ExhibitPlates {
         sides.drawn(nanos);
     }
 
-    /** What is not drawn cannot be pressed. */
+    /** Forgets all places: plates that are not drawn cannot be pressed. */
     void hide() {
         buttons.clear();
         sides.hide();
@@ -131,7 +132,7 @@ final class ExhibitPlates {
         }
     }
 
-    /** Tells of the buttons of a hand, or of the keys, and of what is shown. */
+    /** Tells of the buttons of a handheld window or of the keys, and of the open plates. */
     void describe(Narrator narrator, boolean isPaused) {
         buttons.describe(narrator);
         narrator.says(titles.about(found));
@@ -143,7 +144,7 @@ final class ExhibitPlates {
         }
     }
 
-    /** The plates in a column, and what is open at the side below them. */
+    /** Draws the plates in a column, with the open plate below them. */
     private void drawBeside(Canvas canvas, Showing showing, String state) {
         Layout layout = canvas.layout();
         double x = layout.sourceLeft();
@@ -154,7 +155,7 @@ final class ExhibitPlates {
         sides.draw(canvas, room, showing.ghost());
     }
 
-    /** The plates in a column, and over the scene what is open at the side. */
+    /** Draws the plates in a column, with the open plate over the scene. */
     private void drawColumn(Canvas canvas, Showing showing, String state) {
         Layout layout = canvas.layout();
         double x = layout.leftColumn();
@@ -162,7 +163,7 @@ final class ExhibitPlates {
         drawSides(canvas, showing, LEFT, Scene.HEIGHT - LEFT);
     }
 
-    /** Draws what is open at the side over the scene, between two heights, px. */
+    /** Draws the open plate over the scene, between two heights, px. */
     private void drawSides(Canvas canvas, Showing showing, double top, double bottom) {
         double width = sides.isOpen(Side.SOURCE) ? WIDTH : SIDE * canvas.layout().type();
         double x = Scene.WIDTH - LEFT - width;
@@ -187,7 +188,7 @@ final class ExhibitPlates {
         return drawRow(canvas, tabs(), new Plate(x, tabs, width, TAB));
     }
 
-    /** Draws buttons side by side in a row, px; returns where what is below it begins. */
+    /** Draws buttons side by side in a row, px; returns the upper edge of the next row. */
     private double drawRow(Canvas canvas, List<HandButtons.Item> items, Plate row) {
         Enlarged sheet = new Enlarged(canvas);
         double type = canvas.layout().type();
@@ -225,7 +226,7 @@ final class ExhibitPlates {
                 .toList();
     }
 
-    /** What is said of it is folded to its title and figure until it is asked for. */
+    /** The text about the exhibit is folded to title and figure until the player opens it. */
     private void drawInHand(
             Enlarged canvas,
             Showing showing,
@@ -267,7 +268,7 @@ final class ExhibitPlates {
         pool.accuracy(present.next().accuracy());
     }
 
-    /** The button at a point, px, in a hand. */
+    /** The button at a point, px, in a handheld window. */
     Optional<HandButtons.Item> button(double x, double y) {
         return buttons.at(x, y);
     }
@@ -279,7 +280,7 @@ final class ExhibitPlates {
         return button(x, y).isPresent() || sides.contains(sideX, sideY);
     }
 
-    /** Goes so many pages of the source on. */
+    /** Moves on by a number of pages of the source. */
     void turn(int pages) {
         sides.turn(pages);
     }

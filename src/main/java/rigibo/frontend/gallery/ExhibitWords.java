@@ -16,7 +16,7 @@ public final class ExhibitWords {
 
     private final Words words;
 
-    /** Of a language. */
+    /** The words of a language. */
     public ExhibitWords(Words words) {
         this.words = words;
     }

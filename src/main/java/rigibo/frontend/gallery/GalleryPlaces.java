@@ -6,15 +6,17 @@ import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Plate;
 
 /**
- * Where the parts of the gallery are, logical px; in a hand, px of a sheet.
+ * Where the parts of the gallery are, logical px; in a handheld window, px of a sheet.
  *
- * @param back the way back
- * @param tabs those of the sections
- * @param pagers the ways to the other pages
- * @param cards those of the exhibits
- * @param rows of cards on a page
- * @param count right end of the number of exhibits; in a hand the middle of that of the page
- * @param foot what is said of the selected exhibit; in a hand nothing is, since none is pointed at
+ * @param back the button that leads back
+ * @param tabs the tabs of the sections
+ * @param pagers the buttons that turn pages
+ * @param cards the cards of the exhibits
+ * @param rows number of rows of cards on a page
+ * @param count right end of the number of exhibits; in a handheld window the middle of the page
+ *     number
+ * @param foot the place for words about the selected exhibit; none in a handheld window, where no
+ *     exhibit is pointed at
  */
 record GalleryPlaces(
         Plate back, Grid tabs, Grid pagers, Grid cards, int rows, Plate count, Plate foot) {
@@ -35,10 +37,10 @@ record GalleryPlaces(
     private static final int COLUMNS_UPRIGHT = 2;
     private static final double BACK = 100;
 
-    /** Width of the number of the page between the pagers in a hand, px. */
+    /** Width of the page number between the pagers in a handheld window, px. */
     private static final double COUNT = 64;
 
-    /** Least height of a card in a hand, px. */
+    /** Least height of a card in a handheld window, px. */
     private static final double LEAST = 130;
 
     static GalleryPlaces of(Layout layout, int sections) {
@@ -60,7 +62,10 @@ record GalleryPlaces(
                 new Plate(EDGE, FOOT_TOP, inner, FOOT));
     }
 
-    /** A row of buttons, in an upright window one of tabs below it, and cards in what is left. */
+    /**
+     * A row of buttons, with a row of tabs below it in an upright window, and cards in the
+     * remaining room.
+     */
     private static GalleryPlaces inHand(Layout sheet, int sections) {
         double finger = sheet.clickable(0);
         Plate seen = Plate.seen(sheet, GAP_IN_HAND);

@@ -189,7 +189,7 @@ final class GalleryScene implements TiledScene {
         }
     }
 
-    /** The heading above and the sentence of the selected exhibit below, on a desk. */
+    /** The heading above and the sentence of the selected exhibit below, in a desktop window. */
     private void drawFrame(Canvas canvas) {
         Print.centred(canvas, words.of("scene.gallery"), WIDTH / 2.0, 42, 36, Color.BRASS);
         Plate at = places.count();

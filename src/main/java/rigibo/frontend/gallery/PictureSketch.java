@@ -11,7 +11,7 @@ final class PictureSketch implements Sketch {
     private final Aabb window;
     private final Aabb own = new Aabb();
 
-    /** Passes on to another sketch what lies within a window of the world, m. */
+    /** A sketch that passes on to another one only what lies within a rectangle of the world, m. */
     PictureSketch(Sketch beyond, Aabb window) {
         this.beyond = beyond;
         this.window = window;

@@ -1,6 +1,6 @@
 package rigibo.frontend.gallery;
 
-/** What can stand beside an exhibit; one of them at a time. */
+/** The plates that can stand beside an exhibit, one at a time. */
 enum Side {
     SOURCE("gallery.source"),
     FRAME("fold.frame"),

@@ -18,7 +18,7 @@ final class Sides {
     private final GhostPlate ghost;
     private Optional<Side> open = Optional.empty();
 
-    /** Whether nobody has opened or folded any. */
+    /** Whether no plate was opened or folded yet. */
     private boolean isUntouched = true;
 
     private Plate place = Plate.NONE;
@@ -94,7 +94,7 @@ final class Sides {
         return place.contains(x, y);
     }
 
-    /** Goes so many pages of the source on, if that is open. */
+    /** Moves on by a number of pages of the source, if it is open. */
     void turn(int on) {
         if (isOpen(Side.SOURCE)) {
             source.turn(on);

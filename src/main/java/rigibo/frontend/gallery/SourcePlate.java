@@ -35,7 +35,7 @@ final class SourcePlate {
         written = read(Path.of(System.getProperty("rigibo.home", "")).resolve(found.source()));
     }
 
-    /** What follows the imports; nothing where the game came without its sources. */
+    /** The source below the imports; empty if the game came without sources. */
     private static List<String> read(Path file) {
         if (!Files.exists(file)) {
             return List.of();
@@ -54,7 +54,7 @@ final class SourcePlate {
         return !written.isEmpty();
     }
 
-    /** Goes so many pages on; after the last comes the first. */
+    /** Moves on by a number of pages; the first follows the last. */
     void turn(int on) {
         page = Math.floorMod(page + on, pages);
     }

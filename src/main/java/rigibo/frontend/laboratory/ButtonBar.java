@@ -15,7 +15,7 @@ import java.util.stream.IntStream;
 /** Buttons side by side, in a few rows, of which that of the present choice is lit. */
 final class ButtonBar {
 
-    /** Height of a row on a desk, px. */
+    /** Height of a row in a desktop window, px. */
     static final double HEIGHT = 46;
 
     private static final double PADDING = 4;
@@ -33,7 +33,7 @@ final class ButtonBar {
         this.titles = List.copyOf(titles);
     }
 
-    /** Draws it at a place, px, in so many rows, with one of its buttons lit. */
+    /** Draws it at a place, px, in a number of rows, with one of its buttons lit. */
     void draw(Canvas canvas, Plate at, int rows, int chosen) {
         places.clear();
         canvas.panel(at.x(), at.y(), at.width(), at.height(), 12, Color.PANEL);

@@ -13,12 +13,12 @@ import java.util.function.Consumer;
  */
 record Experiment(String name, Effects effects, Consumer<Room> build) {
 
-    /** Of what is on its button. */
+    /** Key of the text on its button. */
     String titleKey() {
         return "laboratory." + name;
     }
 
-    /** Of what to look for, a short sentence. */
+    /** Key of a short sentence that tells what to look for. */
     String questionKey() {
         return titleKey() + ".question";
     }

@@ -28,7 +28,7 @@ final class ExpertPlate {
     private final List<LinkedHalf> halves;
     private final List<Panel> panels;
 
-    /** Sliders on a plate, for the world on the left and for the one on the right. */
+    /** Sliders for the accuracies of the left and the right world, on one plate. */
     ExpertPlate(Words words, Plate plate, Half left, Half right) {
         this.words = words;
         double width = (plate.width() - GAP) / 2;

@@ -18,7 +18,7 @@ final class GraphPlate {
     private static final double LINE = 24;
     private static final double SIZE = 16;
 
-    /** Least room for the numbers of the scale, and what is around them, px. */
+    /** Least width for the numbers of the scale, and the margin around them, px. */
     private static final double MARGIN = 104;
 
     private static final double ASIDE = 8;
@@ -129,7 +129,7 @@ final class GraphPlate {
                 Color.TEXT_DIM);
     }
 
-    /** With no digit that says nothing; what is tiny by its power of ten. */
+    /** Formats a number without meaningless digits; a tiny one is given by its power of ten. */
     private String number(double value) {
         if (value != 0 && Math.abs(value) < TINY) {
             return words.number("%.1e", value);
@@ -146,7 +146,7 @@ final class GraphPlate {
         return plate.right() - PADDING;
     }
 
-    /** Draws the plate and its title, which is short in a hand. */
+    /** Draws the plate and its title, which is short in a handheld window. */
     private void head(Canvas canvas, Quantity quantity, String key) {
         canvas.panel(plate.x(), plate.y(), plate.width(), plate.height(), 12, Color.PANEL);
         String title = words.of(canvas.layout().isInHand() ? quantity.key() : key);
@@ -158,7 +158,7 @@ final class GraphPlate {
         canvas.text(told, x, y, SIZE, Canvas.Font.NUMBERS, Canvas.Align.RIGHT, Color.TEXT);
     }
 
-    /** Draws the note at the foot; returns what is left for the graph. */
+    /** Draws the note at the foot; returns the remaining place for the graph. */
     private Plate note(Canvas canvas, String note, boolean isLit) {
         double width = plate.width() - 2 * PADDING;
         List<String> lines = Lines.of(canvas, note, SIZE, Canvas.Font.WORDS, width);

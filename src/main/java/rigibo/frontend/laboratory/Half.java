@@ -51,7 +51,7 @@ final class Half {
         times.add(report);
     }
 
-    /** What the last step did; to be asked after the first one. */
+    /** The report of the last step; not before the first step. */
     StepReport report() {
         return report;
     }

@@ -16,7 +16,7 @@ import java.util.List;
 /** Draws a half: a plate with its switch and readouts, and the room below. */
 final class HalfView {
 
-    /** Width of plate and room on a desk, px. */
+    /** Width of plate and room in a desktop window, px. */
     static final double WIDTH = 348;
 
     static final double PLATE_HEIGHT = 68;
@@ -24,7 +24,7 @@ final class HalfView {
     /** Between plate and room, px. */
     private static final double GAP = 6;
 
-    /** Height on a desk, px. */
+    /** Height in a desktop window, px. */
     static final double HEIGHT = height(Layout.ALONE, WIDTH);
 
     private static final double SWITCH_WIDTH = 132;
@@ -41,7 +41,7 @@ final class HalfView {
     private static final double PADDING = 8;
     private static final double SIZE = 16;
 
-    /** A line of words in a hand, px. */
+    /** A line of words in a handheld window, px. */
     private static final double LINE = 22;
 
     private final Half half;
@@ -58,7 +58,12 @@ final class HalfView {
         this.words = words;
     }
 
-    /** Height of the plate, px: in a hand the readouts are below the switch. */
+    /** Median of what a step of the half takes, ms; 0 before the first. */
+    double medianMillis() {
+        return half.medianMillis();
+    }
+
+    /** Height of the plate, px: in a handheld window the readouts are below the switch. */
     private static double plateHeight(Layout layout) {
         return layout.isInHand() ? 2 * PADDING + layout.clickable(0) + 2 * LINE : PLATE_HEIGHT;
     }

@@ -23,7 +23,7 @@ final class Keeping {
         return told;
     }
 
-    /** Forgets what was told. */
+    /** Forgets the last message. */
     void forget() {
         told = "";
     }

@@ -5,16 +5,16 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.widget.Plate;
 
 /**
- * Where the parts of the laboratory are, logical px; in a hand, px of a sheet.
+ * Where the parts of the laboratory are, logical px; in a handheld window, px of a sheet.
  *
- * @param commands what keys do elsewhere; nowhere on a desk
- * @param experiments their buttons
- * @param rows of those
- * @param left the one half
- * @param right the other one
- * @param status the price of a step, and the pace
- * @param drawers the buttons for what is below
- * @param graph what is opened by them
+ * @param commands the buttons that replace keys in a handheld window
+ * @param experiments the buttons of the experiments
+ * @param rows number of rows of those buttons
+ * @param left the left half
+ * @param right the right half
+ * @param status the line with the cost of a step and the pace
+ * @param drawers the buttons that choose the graph
+ * @param graph the graph, or the sliders
  */
 record LaboratoryPlaces(
         Plate commands,
@@ -37,7 +37,7 @@ record LaboratoryPlaces(
     /** Height that is left for the graph in an upright window, px. */
     private static final double GRAPH = 150;
 
-    /** The scene as it is on a desk. */
+    /** The places in a desktop window. */
     static final LaboratoryPlaces ON_A_DESK = onADesk();
 
     static LaboratoryPlaces of(Layout layout) {
@@ -65,7 +65,7 @@ record LaboratoryPlaces(
                 new Plate(EDGE, graph, width, Scene.HEIGHT - EDGE - graph));
     }
 
-    /** All of it one below the other; the halves take what is left above the graph. */
+    /** Everything in one column; the halves take the remaining room above the graph. */
     private static LaboratoryPlaces upright(Layout sheet) {
         double finger = sheet.clickable(0);
         Plate seen = Plate.seen(sheet, EDGE);
@@ -93,7 +93,7 @@ record LaboratoryPlaces(
                 new Plate(x, graph, width, foot - graph));
     }
 
-    /** The halves with what is said of them, and beside them buttons and graph. */
+    /** The halves with their status line, and beside them buttons and graph. */
     private static LaboratoryPlaces lying(Layout sheet) {
         double finger = sheet.clickable(0);
         Plate seen = Plate.seen(sheet, EDGE);

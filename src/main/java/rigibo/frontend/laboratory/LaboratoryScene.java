@@ -2,7 +2,6 @@ package rigibo.frontend.laboratory;
 
 import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Canvas;
-import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Link;
@@ -11,12 +10,9 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
-import rigibo.frontend.scene.accuracy.Badge;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Divergence;
-import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
-import rigibo.frontend.scene.widget.Print;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -25,7 +21,7 @@ import java.util.stream.Stream;
 
 /**
  * Two accuracies side by side, started from the same state, in real time or as near to it as
- * possible; below them what is graphed of the two, or the sliders of their accuracies.
+ * possible. Below them is a graph of both, or the sliders of their accuracies.
  */
 final class LaboratoryScene implements Scene {
 
@@ -34,10 +30,7 @@ final class LaboratoryScene implements Scene {
     private static final String EXPERIMENT = "experiment";
     private static final String GRAPH = "graph";
 
-    /** A line of what is said of both halves in a hand, px. */
-    private static final double LINE = 21;
-
-    /** What the buttons below open or do, after one for each quantity. */
+    /** Numbers of the buttons below; those of the quantities come first. */
     private static final int EXPERT = Quantity.values().length;
 
     private static final int TABLE = EXPERT + 1;
@@ -58,10 +51,11 @@ final class LaboratoryScene implements Scene {
     private final Half right = new Half(Preset.EXACT);
     private final HalfView leftView;
     private final HalfView rightView;
+    private final StatusPlate status;
     private final ButtonBar bar;
     private final ButtonBar drawers;
 
-    /** The graphs alone, and what keys do elsewhere, in a hand. */
+    /** The buttons of a handheld window: the graphs alone, and commands in place of keys. */
     private final ButtonBar graphs;
 
     private final ButtonBar commands;
@@ -69,7 +63,7 @@ final class LaboratoryScene implements Scene {
     private final GraphPlate plate;
     private final ExpertPlate expert;
 
-    /** What a link to the laboratory as it begins would hold. */
+    /** The link to the laboratory as it begins. */
     private final Link first;
 
     private Room room;
@@ -80,9 +74,6 @@ final class LaboratoryScene implements Scene {
     /** The quantity that is graphed, or the sliders. */
     private int drawer;
 
-    /** Share of real time at which the loop runs. */
-    private double pace = 1;
-
     private int turn;
     private boolean isPaused;
 
@@ -92,6 +83,7 @@ final class LaboratoryScene implements Scene {
         this.director = director;
         leftView = new HalfView(left, words);
         rightView = new HalfView(right, words);
+        status = new StatusPlate(words, leftView, rightView);
         List<String> titles =
                 experiments.stream().map(experiment -> words.of(experiment.titleKey())).toList();
         bar = new ButtonBar(titles);
@@ -104,7 +96,10 @@ final class LaboratoryScene implements Scene {
         first = whole();
     }
 
-    /** It holds everything or nothing, so that a change that was taken back is told. */
+    /**
+     * The link states all choices or none, so that a choice that was set back to its default is
+     * stated too.
+     */
     @Override
     public Link link() {
         Link whole = whole();
@@ -140,7 +135,7 @@ final class LaboratoryScene implements Scene {
         return taken == link.choices().size();
     }
 
-    /** The name in links of what is graphed, or of the sliders. */
+    /** The name in links of a graph, or of the sliders. */
     private static String linked(int drawer) {
         return drawer == EXPERT ? "expert" : Quantity.values()[drawer].linked();
     }
@@ -193,7 +188,7 @@ final class LaboratoryScene implements Scene {
 
     @Override
     public void paced(double share) {
-        pace = share;
+        status.paced(share);
     }
 
     @Override
@@ -230,14 +225,14 @@ final class LaboratoryScene implements Scene {
         rightView.draw(canvas, places.right(), room.skins());
         bar.draw(canvas, places.experiments(), places.rows(), chosen);
         if (isInHand) {
-            // Sliders side by side, and files, want a larger window.
+            // There is no room for sliders side by side, and files need a larger window.
             drawer = drawer < EXPERT ? drawer : 0;
             commands.draw(canvas, places.commands(), 1, isPaused ? PAUSE : NO_COMMAND);
             graphs.draw(canvas, places.drawers(), 1, drawer);
-            drawStatusInHand(canvas, places.status());
+            status.drawInHand(canvas, places.status(), isPaused);
         } else {
             drawers.draw(canvas, places.drawers(), 1, drawer);
-            drawStatus(canvas, places.status());
+            status.draw(canvas, places.status(), isPaused);
         }
         drawDrawer(canvas, places.graph());
     }
@@ -255,28 +250,6 @@ final class LaboratoryScene implements Scene {
         narrator.says(note());
         if (isPaused) {
             narrator.says(words.of("badge.paused"));
-        }
-    }
-
-    private void drawStatus(Canvas canvas, Plate at) {
-        canvas.panel(at.x(), at.y(), at.width(), at.height(), 12, Color.PANEL);
-        double middle = at.y() + at.height() / 2;
-        Print.left(canvas, ratio(), at.x() + 12, middle, 16, Color.TEXT);
-        Print.right(canvas, state(), at.right() - 12, middle, 16, Color.BRASS);
-    }
-
-    private String state() {
-        return isPaused ? words.of("badge.paused") : new Badge(words).pace(pace);
-    }
-
-    private void drawStatusInHand(Canvas canvas, Plate at) {
-        canvas.panel(at.x(), at.y(), at.width(), at.height(), 12, Color.PANEL);
-        String said = ratio() + " · " + state();
-        List<String> lines = Lines.of(canvas, said, 16, Canvas.Font.WORDS, at.width() - 24);
-        double y = at.y() + at.height() / 2 - (lines.size() - 1) * LINE / 2;
-        for (String line : lines) {
-            Print.left(canvas, line, at.x() + 12, y, 16, Color.TEXT);
-            y += LINE;
         }
     }
 
@@ -308,23 +281,13 @@ final class LaboratoryScene implements Scene {
         }
     }
 
-    /** What was measured, for whoever reads the table; not translated, like its columns. */
+    /** The table's description, which is not translated, like its columns. */
     private String about() {
         return experiments.get(chosen).name()
                 + "; left: "
                 + left.accuracy()
                 + "; right: "
                 + right.accuracy();
-    }
-
-    private String ratio() {
-        double one = left.medianMillis();
-        double other = right.medianMillis();
-        if (one == 0 || other == 0) {
-            return words.of("laboratory.ask");
-        }
-        String times = words.number("%.2f", other / one);
-        return words.of("laboratory.ratio", rightView.name(), times, leftView.name());
     }
 
     @Override
@@ -361,7 +324,7 @@ final class LaboratoryScene implements Scene {
         }
     }
 
-    /** The buttons of what is below. */
+    /** The bar of buttons below the halves. */
     private ButtonBar below() {
         return isInHand ? graphs : drawers;
     }

@@ -4,7 +4,7 @@ import rigibo.frontend.scene.Scene;
 
 import java.util.Locale;
 
-/** What was measured in each step since the start, up to ten minutes. */
+/** The measurements of each step since the start, up to ten minutes. */
 final class Log {
 
     /** Steps that are kept, the latest ones: 10 min. */
@@ -50,8 +50,8 @@ final class Log {
     }
 
     /**
-     * All that is kept as a table: a line about what was measured, one of names, and one for each
-     * step, with commas in between and points in numbers.
+     * The whole log as a table: a line of description, a line of names, and a line for each step,
+     * with commas as separators and decimal points.
      */
     String table(String about) {
         StringBuilder table = new StringBuilder("# ").append(about).append("\ntime_s");

@@ -2,7 +2,7 @@ package rigibo.frontend.laboratory;
 
 import java.util.Locale;
 
-/** What can be graphed and saved of each step of the two worlds. */
+/** The quantities of a step of the two worlds that can be graphed and saved. */
 enum Quantity {
     /** Between the two worlds, root mean square over the bodies, m. */
     DISTANCE("m"),
@@ -46,7 +46,7 @@ enum Quantity {
         return this != ENERGY;
     }
 
-    /** Of one world after its last step. */
+    /** The quantity of one world after its last step. */
     double of(Half half) {
         return switch (this) {
             case DISTANCE -> 0;

@@ -6,8 +6,8 @@ import rigibo.frontend.scene.Progress;
 import java.util.List;
 
 /**
- * The order that levels had before there were worlds, when each one opened the next: what was open
- * then has stayed so, although progress tells only what was played.
+ * The order of levels before there were worlds, when each level opened the next. Levels that were
+ * open then stay open, although progress records only levels that were played.
  */
 final class FormerOrder {
 

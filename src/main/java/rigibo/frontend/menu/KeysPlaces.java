@@ -6,13 +6,13 @@ import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Plate;
 
 /**
- * Where the parts of the page of keys are, logical px; in a hand, px of a sheet.
+ * Where the parts of the page of keys are, logical px; in a handheld window, px of a sheet.
  *
  * @param levels the actions of levels
- * @param demos those that only demos have
- * @param told what happened
- * @param reset the way to the keys of the beginning
- * @param back the way back
+ * @param demos the actions that only demos have
+ * @param told the line that tells what happened
+ * @param reset the button that restores the default keys
+ * @param back the button that leads back
  */
 record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) {
 
@@ -24,7 +24,7 @@ record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) 
     private static final double BETWEEN = 6;
     private static final double BUTTONS = 676;
 
-    /** What is told follows as many actions. */
+    /** Number of actions above the line that tells what happened. */
     private static final int ACTIONS = 10;
 
     private static final double TOLD = 62;
@@ -33,10 +33,10 @@ record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) 
     private static final double BETWEEN_IN_HAND = 3.5;
     private static final double HEADING = 22;
 
-    /** Height of four lines of what is told, px. */
+    /** Height of four lines of text, px. */
     private static final double MOST_TOLD = 100;
 
-    /** The scene as it is on a desk. */
+    /** The places in a desktop window. */
     static final KeysPlaces ON_A_DESK = onADesk();
 
     static KeysPlaces of(Layout layout) {
@@ -55,7 +55,9 @@ record KeysPlaces(Grid levels, Grid demos, Plate told, Plate reset, Plate back) 
                 new Plate(right, BUTTONS, COLUMN, TILE));
     }
 
-    /** Buttons above, then levels beside demos, and below them what is told. */
+    /**
+     * Buttons above, then the actions of levels beside those of demos, and the line of text below.
+     */
     private static KeysPlaces inHand(Layout sheet) {
         double finger = sheet.clickable(0);
         Plate seen = Plate.seen(sheet, GAP_IN_HAND);

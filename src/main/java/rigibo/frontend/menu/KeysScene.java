@@ -25,7 +25,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** What keys do in levels and demos: an action is chosen, then its key is pressed. */
+/**
+ * The page of keys for levels and demos: the player chooses an action, then presses its new key.
+ */
 public final class KeysScene implements Scene {
 
     /** Width of the cap on which a key is printed, px. */
@@ -35,7 +37,10 @@ public final class KeysScene implements Scene {
     private static final double LINE = 26;
     private static final double LINE_IN_HAND = 21;
 
-    /** From the middle of a tile up to the action's name and down to its key in a hand, px. */
+    /**
+     * Distance from the middle of a tile up to the action's name, and down to its key, in a
+     * handheld window, px.
+     */
     private static final double APART = 11;
 
     private final Director director;
@@ -238,7 +243,7 @@ public final class KeysScene implements Scene {
         tiles.pointerPressed(button, x, y);
     }
 
-    /** While a key is asked for, M is one that could be meant, and not the window's. */
+    /** While the page waits for a key, M is an ordinary key and does not mute the window. */
     @Override
     public boolean isTyping() {
         return asked.isPresent();

@@ -33,7 +33,7 @@ record LevelCard(LevelList levels, int level, Words words) {
     /** Margin around the picture, px. */
     private static final double MARGIN = 10;
 
-    /** What is on it, in words; what opens it is told of the one that is chosen. */
+    /** The card in words. How to open a level is told only for the selected card. */
     String name() {
         List<String> parts = new ArrayList<>();
         parts.add(levels.place(level) + 1 + " " + levels.levels().get(level).title().apply(words));

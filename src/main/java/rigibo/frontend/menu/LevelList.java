@@ -13,8 +13,8 @@ import java.util.stream.IntStream;
  * The levels, world by world, and the player's progress in them. Levels count from 0 over all
  * worlds, worlds from 1.
  *
- * <p>What opens is counted, never a chain of levels: so a level that is moved or taken away closes
- * nothing, and one that is too hard stops nobody.
+ * <p>Levels open by the number of levels solved, not one after the other. So moving or removing a
+ * level closes no other, and nobody gets stuck at a level that is too hard.
  *
  * @param levels in their order
  * @param progress the player's
@@ -24,7 +24,7 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
     /** Number of levels of a world that are open as soon as the world is. */
     private static final int OPEN_AT_FIRST = 3;
 
-    /** Number of levels to solve, in any worlds, for each world after the first. */
+    /** Number of levels that must be solved, in any worlds, to open each world after the first. */
     private static final int SOLVED_FOR_A_WORLD = 6;
 
     /** Selects the levels among some entries. */

@@ -8,15 +8,15 @@ import rigibo.frontend.scene.widget.Plate;
 /**
  * Where the parts of the list of levels are, logical px.
  *
- * @param title the middle of the heading; in a hand there is none
+ * @param title the middle of the heading; in a handheld window there is none
  * @param count the right end of the number of solved levels
- * @param buttons the way back and what follows it
- * @param made the row of the levels that are made by chance
- * @param tabs those of the worlds
- * @param cards those of the levels
+ * @param buttons the button that leads back, and the others after it
+ * @param made the row of levels made by chance
+ * @param tabs the tabs of the worlds
+ * @param cards the cards of the levels
  * @param world the plate about the world
- * @param foot what is said of the chosen level
- * @param watch the way to watch its best run, which takes its room from the foot if it lies on it
+ * @param foot the words about the selected level
+ * @param watch the button that shows its best run, which may take room from the foot
  */
 record LevelsPlaces(
         Plate title,
@@ -56,7 +56,7 @@ record LevelsPlaces(
     /** The share of a lying window that is left to all but the cards. */
     private static final double ASIDE = 0.37;
 
-    /** The scene as it is on a desk. */
+    /** The places in a desktop window. */
     static final LevelsPlaces ON_A_DESK = onADesk();
 
     private static LevelsPlaces onADesk() {
@@ -80,9 +80,10 @@ record LevelsPlaces(
     }
 
     /**
-     * Where they are in a window.
+     * The places in a window.
      *
-     * @param hasMade whether any levels are made by chance; in a hand their row is left out if not
+     * @param hasMade whether there are levels made by chance; without them a handheld window has no
+     *     row for them
      */
     static LevelsPlaces of(Layout layout, boolean hasMade) {
         return layout.choose(
@@ -147,7 +148,7 @@ record LevelsPlaces(
                 watch);
     }
 
-    /** The foot as it is beside the way to watch, where that is shown. */
+    /** The foot, narrowed where the button to watch is shown. */
     Plate foot(boolean canWatch) {
         boolean isCut = canWatch && watch.y() < foot.bottom();
         return isCut

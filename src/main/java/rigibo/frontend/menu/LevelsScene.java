@@ -149,7 +149,7 @@ public final class LevelsScene implements Scene {
         director.show(entry.open().apply(director));
     }
 
-    /** What is chosen among the levels made by chance. */
+    /** The selection among the levels made by chance. */
     private Optional<SceneEntry> chosenMade() {
         int entry = tiles.chosen() - BUTTONS;
         return entry >= 0 && entry < made.size() ? Optional.of(made.get(entry)) : Optional.empty();
@@ -237,7 +237,10 @@ public final class LevelsScene implements Scene {
         }
     }
 
-    /** Draws what is chosen about a point of the foot; of a level with a star a second line. */
+    /**
+     * Draws words about the selection around a point of the foot; a level with a star has a second
+     * line.
+     */
     private void drawAbout(Canvas canvas, double x, double y, double width) {
         Optional<String> star = isMissed ? Optional.empty() : star();
         double size = star.isPresent() || canvas.layout().isInHand() ? 16 : 18;
@@ -264,7 +267,7 @@ public final class LevelsScene implements Scene {
         }
     }
 
-    /** What the player may know of the chosen level's star. */
+    /** What the player may know about the selected level's star. */
     private Optional<String> star() {
         OptionalInt chosen = chosenLevel();
         if (chosen.isEmpty() || !levels.isOpen(chosen.getAsInt())) {
@@ -283,7 +286,7 @@ public final class LevelsScene implements Scene {
                                         : words.of("puzzle.star.hidden"));
     }
 
-    /** A level that was solved as it is now may have a run that was kept. */
+    /** Only a level that was solved in its present form may have a best run. */
     private boolean canWatch() {
         OptionalInt chosen = chosenLevel();
         return chosen.isPresent() && levels.medal(chosen.getAsInt()).isPresent();
@@ -336,7 +339,10 @@ public final class LevelsScene implements Scene {
                 : words.of("world.opens", levels.opens(number), levels.solved());
     }
 
-    /** What opens a level: first its world, then others of that world. */
+    /**
+     * Says what opens a level: first its world must be open, then other levels of that world must
+     * be solved.
+     */
     private String locked(int level) {
         return levels.isWorldOpen(world)
                 ? words.of("menu.locked", levels.opensWithin(level))

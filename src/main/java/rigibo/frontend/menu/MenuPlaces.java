@@ -8,17 +8,17 @@ import rigibo.frontend.scene.widget.Plate;
 /**
  * Where the parts of the menu are, logical px.
  *
- * @param head left and right of what stands above, from the title's middle to that of the tagline
- * @param play the way to the next level
+ * @param head the heading, from the middle of the title to the middle of the tagline
+ * @param play the button that opens the next level
  * @param row the buttons below it
- * @param heading with its left end and its middle above the cards
- * @param cards the first of them, and how the others follow
+ * @param heading the heading above the cards, by its left end and its middle
+ * @param cards the first card, and how the others follow
  */
 record MenuPlaces(Plate head, Plate play, Plate row, Plate heading, Grid cards) {
 
     private static final double GAP = 12;
 
-    /** The scene as it is on a desk. */
+    /** The places in a desktop window. */
     static final MenuPlaces ON_A_DESK =
             new MenuPlaces(
                     new Plate(0, 84, Scene.WIDTH, 68),
@@ -32,10 +32,13 @@ record MenuPlaces(Plate head, Plate play, Plate row, Plate heading, Grid cards) 
 
     private static final double TAGLINE = 74;
 
-    /** Letters of the tagline's size that stand above each other in a hand. */
+    /** Height of the head in a handheld window, in lines. */
     private static final double LINES = 2;
 
-    /** Height of a line of small text, and of the way to play beside what is touched else, px. */
+    /**
+     * Height of a line of small text, px; and height of the button to play, as a multiple of the
+     * other buttons'.
+     */
     private static final double LINE = 22;
 
     private static final double PLAY = 1.3;

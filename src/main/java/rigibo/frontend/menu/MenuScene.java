@@ -126,7 +126,7 @@ public final class MenuScene implements Scene {
         return row;
     }
 
-    /** A window in a hand is left by other means. */
+    /** A handheld window has no button to quit: the system closes the game. */
     private boolean canQuit() {
         return director.canQuit() && places.equals(MenuPlaces.ON_A_DESK);
     }

@@ -3,7 +3,7 @@ package rigibo.frontend.menu;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** A padlock on what is not open yet. */
+/** A padlock on a level or world that is not open yet. */
 final class Padlock {
 
     private Padlock() {}

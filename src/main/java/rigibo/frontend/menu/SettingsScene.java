@@ -31,7 +31,7 @@ public final class SettingsScene implements Scene {
     /** Between rows, px: text of 130 % fills a row. */
     private static final double GAP = 10;
 
-    /** Round the panel in a hand, and above it where the heading is, px. */
+    /** Margin around the panel in a handheld window, and above it for the heading, px. */
     private static final double GAP_IN_HAND = 12;
 
     private static final double TOP_IN_HAND = 110;

@@ -5,14 +5,14 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.widget.Plate;
 
 /**
- * Where the parts of the statistics are, logical px; in a hand, px of a sheet.
+ * Where the parts of the statistics are, logical px; in a handheld window, px of a sheet.
  *
  * @param title the middle of the heading, with the size of its letters as height
- * @param back the way back
- * @param levels what is told of the levels
- * @param play of the player's tries
- * @param days of the levels of the days
- * @param endless of the levels without end
+ * @param back the button that leads back
+ * @param levels the numbers about levels
+ * @param play the numbers about tries
+ * @param days the numbers about daily levels
+ * @param endless the numbers about endless levels
  */
 record StatisticsPlaces(
         Plate title, Plate back, Plate levels, Plate play, Plate days, Plate endless) {
@@ -30,7 +30,7 @@ record StatisticsPlaces(
     /** Share of a lying window for the levels, which have four columns beside the others' three. */
     private static final double LEVELS_SHARE = 0.53;
 
-    /** The scene as it is on a desk. */
+    /** The places in a desktop window. */
     static final StatisticsPlaces ON_A_DESK = onADesk();
 
     static StatisticsPlaces of(Layout layout) {

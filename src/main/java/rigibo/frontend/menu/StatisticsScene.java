@@ -20,10 +20,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 
-/** What the player has done, as far as the files of progress know. */
+/** The player's statistics, as far as the saved progress knows them. */
 final class StatisticsScene implements TiledScene {
 
-    /** Distance between a panel's edge and what is in it, px. */
+    /** Distance between a panel's edge and its content, px. */
     private static final double INSET = 24;
 
     /** Size of a number, and the share of its column up to which it is as large. */
@@ -40,8 +40,8 @@ final class StatisticsScene implements TiledScene {
     /**
      * A number.
      *
-     * @param value as it is shown
-     * @param key of what it counts
+     * @param value its text
+     * @param key key of the words below it
      */
     private record Figure(String value, String key) {}
 
@@ -199,7 +199,7 @@ final class StatisticsScene implements TiledScene {
         }
     }
 
-    /** A number with what it counts below, in a column so wide. */
+    /** Draws a number, with words below it, in a column of the given width. */
     private void figure(Canvas canvas, double room, double x, double y, Figure figure) {
         double width = canvas.textWidth(figure.value, VALUE, Canvas.Font.NUMBERS);
         double size = VALUE * Math.min(1, MOST_VALUE * room / width);

@@ -11,10 +11,11 @@ import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 
 /**
- * A plate beside a world's last cards: what is done in it, and the medals won, or what opens it.
+ * A plate beside a world's last cards: how much of the world is done and the medals won, or what
+ * opens it.
  *
- * @param levels the list
- * @param world which of them, from 1
+ * @param levels the list of levels
+ * @param world number of the world, from 1
  * @param words the player's
  */
 record WorldPlate(LevelList levels, int world, Words words) {
@@ -37,7 +38,7 @@ record WorldPlate(LevelList levels, int world, Words words) {
 
     private static final double GAP = 12;
 
-    /** Lines of a text above what was done in the world, or above what opens it. */
+    /** Lines of text above the number of levels done in the world, or above what opens it. */
     private static final int LINES_OPEN = 4;
 
     private static final int LINES_LOCKED = 3;

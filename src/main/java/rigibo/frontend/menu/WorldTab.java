@@ -18,7 +18,10 @@ import java.util.List;
  */
 record WorldTab(LevelList levels, int world, Words words) {
 
-    /** The height of a tab on a desk, px, and the middles of its two lines in shares of it. */
+    /**
+     * The height of a tab in a desktop window, px, and the middles of its two lines in shares of
+     * it.
+     */
     private static final double HEIGHT = 54;
 
     private static final double NAME = 19 / HEIGHT;

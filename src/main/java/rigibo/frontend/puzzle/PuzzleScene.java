@@ -8,12 +8,10 @@ import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Solution;
 import rigibo.frontend.puzzle.record.Ledger;
 import rigibo.frontend.puzzle.record.Tally;
-import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.puzzle.session.Pace;
 import rigibo.frontend.puzzle.session.Session;
-import rigibo.frontend.puzzle.show.Refusal;
 import rigibo.frontend.puzzle.show.Table;
 import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Action;
@@ -31,7 +29,6 @@ import rigibo.frontend.scene.Scenery;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Tap;
 
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -55,7 +52,7 @@ public final class PuzzleScene implements Scene {
     private final Panels panels;
     private final Tally tally;
     private final Lesson lesson;
-    private final GhostSwitch ghost;
+    private final Commands commands;
     private Optional<Solution> solution = Optional.empty();
     private boolean isShiftHeld;
 
@@ -107,7 +104,7 @@ public final class PuzzleScene implements Scene {
         table = new Table(session, view.camera(), director.sounds());
         this.lesson = lesson;
         panels = new Panels(level, session, view, director.words(), lesson, sequel.exits());
-        ghost = new GhostSwitch(director, session, tally);
+        commands = new Commands(director, session, view, table, panels, tally, sequel);
     }
 
     @Override
@@ -173,7 +170,7 @@ public final class PuzzleScene implements Scene {
         panels.end(game, sequel.next().isPresent(), tally.hasStar());
         if (game.isSolved()) {
             solution = Optional.of(game.replay().solution());
-            ghost.solved();
+            commands.solved();
             table.celebrate(motion());
         }
     }
@@ -187,7 +184,7 @@ public final class PuzzleScene implements Scene {
         panels.layOut(canvas.layout());
         table.draw(canvas, motion());
         lesson.draw(canvas, session, view.camera(), motion());
-        panels.draw(canvas, table.refusal(), offered(), motion());
+        panels.draw(canvas, table.refusal(), commands.offered(), motion());
         table.drawPointer(canvas, motion());
     }
 
@@ -198,22 +195,6 @@ public final class PuzzleScene implements Scene {
                 narrator,
                 director.words(),
                 (x, y) -> panels.at(x, y).isPresent() || panels.cover(x, y));
-    }
-
-    /** The commands that are there at times. */
-    private Set<Command> offered() {
-        Set<Command> offered = EnumSet.noneOf(Command.class);
-        if (ghost.isOffered()) {
-            offered.add(Command.GHOST);
-        }
-        if (hasHint()) {
-            offered.add(Command.HINT);
-        }
-        return offered;
-    }
-
-    private boolean hasHint() {
-        return tally.failuresToHint() == 0;
     }
 
     @Override
@@ -263,7 +244,7 @@ public final class PuzzleScene implements Scene {
         }
         Optional<Command> command = panels.at(x, y);
         if (command.isPresent()) {
-            run(command.get());
+            commands.run(command.get());
         } else if (panels.cover(x, y)) {
             panels.press(x, y);
         } else {
@@ -285,15 +266,15 @@ public final class PuzzleScene implements Scene {
     @Override
     public void keyPressed(Key key) {
         switch (key) {
-            case R -> run(session.isShowing() ? Command.STOP : Command.RESTART);
-            case P -> run(Command.PAUSE);
-            case E -> run(Command.EFFECTS);
-            case G -> run(Command.GHOST);
-            case H -> run(Command.HINT);
-            case V -> run(Command.SOLUTION);
-            case C -> run(Command.COPY);
-            case BACKSPACE -> run(Command.UNDO);
-            case HOME -> run(Command.WHOLE);
+            case R -> commands.run(session.isShowing() ? Command.STOP : Command.RESTART);
+            case P -> commands.run(Command.PAUSE);
+            case E -> commands.run(Command.EFFECTS);
+            case G -> commands.run(Command.GHOST);
+            case H -> commands.run(Command.HINT);
+            case V -> commands.run(Command.SOLUTION);
+            case C -> commands.run(Command.COPY);
+            case BACKSPACE -> commands.run(Command.UNDO);
+            case HOME -> commands.run(Command.WHOLE);
             case S -> session.pace(session.pace().slower());
             case N -> session.pace(session.pace().faster());
             case TAB -> cycle(isShiftHeld ? -1 : 1);
@@ -328,7 +309,7 @@ public final class PuzzleScene implements Scene {
     private void enter() {
         count();
         if (!table.clickChosen()) {
-            panels.chosen().ifPresent(this::run);
+            panels.chosen().ifPresent(commands::run);
         }
     }
 
@@ -339,84 +320,6 @@ public final class PuzzleScene implements Scene {
             session.stopShow();
         }
         return isShowing;
-    }
-
-    private void run(Command command) {
-        switch (command) {
-            case PAUSE, RESUME -> pause();
-            case RESTART -> restart();
-            case UNDO -> undo();
-            case SLOWER -> session.pace(session.pace().next());
-            case EFFECTS -> effects();
-            case GHOST -> ghost();
-            case HINT -> hint();
-            case SOLUTION -> showSolution();
-            case REPLAY -> session.showAgain();
-            case COPY -> copy();
-            case WHOLE -> view.showAll();
-            case STOP -> session.stopShow();
-            case NEXT -> sequel.next().ifPresent(next -> director.show(next.get()));
-            case LEVELS -> director.showLevels();
-            case MENU, EDITOR -> director.showMenu();
-        }
-    }
-
-    private void pause() {
-        session.togglePause();
-        table.letGo();
-        panels.begin();
-    }
-
-    private void restart() {
-        tally.givenUp(session.game());
-        session.restart();
-        ghost.begin();
-    }
-
-    private void undo() {
-        if (!session.undo()) {
-            table.refuse(Refusal.Reason.NO_UNDO);
-        }
-    }
-
-    /** An experiment is the player's own, so what is shown uses the level's effects. */
-    private void effects() {
-        if (session.isShowing()) {
-            table.refuse(Refusal.Reason.SHOWING);
-        } else {
-            panels.toggle(Panels.Drawer.EFFECTS);
-        }
-    }
-
-    private void ghost() {
-        if (session.isShowing()) {
-            table.refuse(Refusal.Reason.SHOWING);
-        } else if (!ghost.toggle()) {
-            table.refuse(Refusal.Reason.NO_RUN_YET);
-        }
-    }
-
-    private void hint() {
-        if (hasHint() && !session.isShowing()) {
-            panels.toggle(Panels.Drawer.HINT);
-        } else {
-            table.refuse(Refusal.Reason.NO_HINT_YET);
-        }
-    }
-
-    /** Available only beside the hint, and not while something is shown. */
-    private void showSolution() {
-        if (panels.isOpen(Panels.Drawer.HINT) && !level.solutions().isEmpty()) {
-            tally.givenUp(session.game());
-            panels.shut();
-            session.show(level.solutions().get(0));
-        }
-    }
-
-    private void copy() {
-        if (session.game().isSolved() && !session.isShowing()) {
-            Replays.copy(director, Recording.of(session.game()));
-        }
     }
 
     /** The clicks with which the player last solved the level; empty before that. */

@@ -7,12 +7,12 @@ import tools.jackson.databind.node.ObjectNode;
 /** The form of a value in JSON. */
 interface Format<T> {
 
-    /** What there is where there is no file. */
+    /** The value where there is no file. */
     T initial();
 
     /**
-     * The value of a JSON object of this format or an older one. What is missing or of another kind
-     * is told, and something else stands in its place.
+     * The value of a JSON object of this format or an older one. A member that is missing or of
+     * another type is reported and replaced by a default.
      */
     T read(Value json);
 
@@ -20,9 +20,9 @@ interface Format<T> {
     void write(T value, ObjectNode json);
 
     /**
-     * Both what is on disk by now, by another game that runs, and what is to be written.
+     * Merges the value to be written with the one that another running game has put on the disk.
      *
-     * @param before what this game read or wrote last, from which its own value comes
+     * @param before the value that this game read or wrote last
      */
     T merged(T before, T onDisk, T own);
 }

@@ -33,7 +33,7 @@ final class Leftovers {
                 new FolderLock(folder, Duration.ZERO).during(() -> delete(in(folder)));
             }
         } catch (IOException | UncheckedIOException later) {
-            // They are in nobody's way until the next start.
+            // The files do no harm until the next start.
         }
     }
 

@@ -20,13 +20,13 @@ record Notice(Kind kind, Path file) {
         LOST,
         /** There is no file, and its backup was damaged. */
         BACKUP_LOST,
-        /** The file is damaged and could not be moved: it stays as it is, unused. */
+        /** The file is damaged and could not be moved: it stays unchanged and unused. */
         STUCK,
         /** The file was damaged, and moved when another took its place. */
         REPLACED,
-        /** A newer game wrote it: it stays as it is. */
+        /** A newer game wrote it: it stays unchanged. */
         NEWER,
-        /** It cannot be read: it stays as it is. */
+        /** It cannot be read: it stays unchanged. */
         UNREADABLE,
         /** It cannot be written, and will be tried again. */
         UNSAVED,

@@ -143,7 +143,7 @@ final class ProgressFormat implements Format<Progress> {
         }
     }
 
-    /** Of what both games count, the file gets what was added here. */
+    /** Totals that both games count: the file gets what this game has added. */
     @Override
     public Progress merged(Progress before, Progress onDisk, Progress own) {
         Totals added = own.totals().since(before.totals());

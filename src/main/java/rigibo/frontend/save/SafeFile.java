@@ -22,9 +22,9 @@ import java.nio.file.Path;
 public record SafeFile(Path file) {
 
     /**
-     * Puts bytes in the file's place, with no backup.
+     * Replaces the file by bytes, without a backup.
      *
-     * @throws IOException when they cannot be written; what was there is still there
+     * @throws IOException when they cannot be written; the file is then unchanged
      */
     public void write(byte[] bytes) throws IOException {
         prepare(bytes);
@@ -32,10 +32,11 @@ public record SafeFile(Path file) {
     }
 
     /**
-     * Puts bytes in the file's place without waiting for the disk, where a frame would wait, too:
-     * whole or not at all when the game ends, but not when the power fails.
+     * Replaces the file by bytes without waiting for the disk, which would delay a frame. If the
+     * game ends meanwhile, the file is the old or the new one; if the power fails, it may be
+     * neither.
      *
-     * @throws IOException when they cannot be written; what was there is still there
+     * @throws IOException when they cannot be written; the file is then unchanged
      */
     public void writeWithoutWaiting(byte[] bytes) throws IOException {
         fill(bytes, channel -> {});
@@ -46,7 +47,7 @@ public record SafeFile(Path file) {
         return file.resolveSibling(file.getFileName() + ".backup");
     }
 
-    /** Of this process alone, for two games may run at once. */
+    /** Belongs to this process alone, since two games may run at once. */
     private Path temporary() {
         return file.resolveSibling(file.getFileName() + "." + ProcessHandle.current().pid());
     }

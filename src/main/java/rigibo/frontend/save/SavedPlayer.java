@@ -38,18 +38,18 @@ public final class SavedPlayer implements Player, AutoCloseable {
     private final Writer writer = new Writer();
 
     /**
-     * Reads what is there. Never fails: what cannot be read becomes a notice.
+     * Reads the files. Never fails: a file that cannot be read becomes a notice.
      *
-     * @param systemLanguage of the player's system, for the first start, as ISO 639 names it
+     * @param systemLanguage ISO 639 code of the system's language, for the first start
      */
     public SavedPlayer(Places places, String systemLanguage) {
         this(places, Settings.initial(systemLanguage));
     }
 
     /**
-     * Reads what is there, as the other constructor does.
+     * Reads the files, as the other constructor does.
      *
-     * @param initial settings that the player has not chosen
+     * @param initial settings until the player has chosen others
      */
     public SavedPlayer(Places places, Settings initial) {
         Leftovers.sweep(places.all());
@@ -123,7 +123,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
         }
     }
 
-    /** Writes what has not been written yet. */
+    /** Writes all changes that are not on disk yet. */
     synchronized void save() {
         isDue.set(false);
         // Both, whatever becomes of the first.
@@ -133,7 +133,7 @@ public final class SavedPlayer implements Player, AutoCloseable {
         }
     }
 
-    /** Writes what is not written yet, and waits for it. */
+    /** Writes all changes that are not on disk yet, and waits for that. */
     @Override
     public void close() {
         writer.close();

@@ -91,7 +91,7 @@ record SettingsFormat(Settings initial) implements Format<Settings> {
                 later(before, onDisk, own, Settings::keys));
     }
 
-    /** Our own choice where one was made since, for it is the latest; else what the file has. */
+    /** This game's choice if one was made since, because it is the latest; otherwise the file's. */
     private static <V> V later(
             Settings before, Settings onDisk, Settings own, Function<Settings, V> setting) {
         V chosen = setting.apply(own);

@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * What a key does where the player may choose the keys, and the key that does it at first. Scenes
- * are told the key of the first choice, whatever was pressed, see {@link KeyBindings#meant}.
+ * An action for which the player may choose a key, with its default key. Scenes always receive the
+ * default key, whatever was pressed, see {@link KeyBindings#meant}.
  */
 public enum Action {
     PAUSE(Key.P, Place.LEVEL, Place.REPLAY),

@@ -13,7 +13,7 @@ import java.util.function.Consumer;
  */
 public interface Bench {
 
-    /** What the bodies are in. */
+    /** The pool that holds the bodies. */
     Pool pool();
 
     /** Joins two bodies. */

@@ -69,7 +69,7 @@ public final class Camera {
         centreY += screenDy / scale;
     }
 
-    /** What was between two fingers stays between them. */
+    /** The point between two fingers stays between them. */
     public void pinch(Pinch pinch) {
         pan(pinch.dx(), pinch.dy());
         zoom(pinch.factor(), pinch.x(), pinch.y());

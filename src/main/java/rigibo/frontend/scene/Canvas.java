@@ -21,7 +21,7 @@ public interface Canvas {
         NUMBERS
     }
 
-    /** What is special about a body as it is drawn; {@link #PLAIN} for nothing. */
+    /** A special way to draw a body; {@link #PLAIN} for none. */
     enum Mood {
         PLAIN,
         /** Lifted under the pointer; a RigiBo winces. */
@@ -36,7 +36,7 @@ public interface Canvas {
         CHEERING
     }
 
-    /** What the window shows, and where in it the scene lies. */
+    /** The layout of the window. */
     Layout layout();
 
     /**
@@ -60,7 +60,7 @@ public interface Canvas {
     /** A soft, round particle in the world, such as dust: position in m, width in m. */
     void puff(double x, double y, double size, Color color);
 
-    /** Light about a point of the world, added to what is there: position in m, width in m. */
+    /** Adds light about a point of the world to the picture: position in m, width in m. */
     void glow(double x, double y, double size, Color color);
 
     /** Greys out the world in this frame, 0 not at all to 1. */

@@ -29,7 +29,7 @@ public record Color(float red, float green, float blue, float alpha) {
     public static final Color BALL = of(0xF4F1E6);
     public static final Color GOAL = of(0x2C9A80);
 
-    /** What glows in a fire door. */
+    /** The glow in a fire door. */
     public static final Color EMBER = of(0xD9481F);
 
     public static final Color GOOD = of(0x3FC1A9);

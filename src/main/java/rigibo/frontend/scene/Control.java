@@ -1,16 +1,17 @@
 package rigibo.frontend.scene;
 
 /**
- * What a pointer can use in a window, in words.
+ * Something that a pointer can use in a window, in words.
  *
- * @param name what it is called, with its value if it has one
+ * @param name its name, with its value if it has one
  * @param kind what using it does
  * @param x left edge, logical px
  * @param y upper edge
  * @param width px
  * @param height px
- * @param share where a pointer uses it, as a share of the width; of a slider also its value
- * @param isChosen whether it is chosen, by keys or by the pointer
+ * @param share where a pointer should press it, as a share of the width; for a slider also its
+ *     value
+ * @param isChosen whether keys or the pointer have selected it
  */
 public record Control(
         String name,
@@ -22,7 +23,7 @@ public record Control(
         double share,
         boolean isChosen) {
 
-    /** What using a control does. */
+    /** The effect of using a control. */
     public enum Kind {
         BUTTON,
         /** A button whose thing is on, and goes off. */

@@ -1,6 +1,6 @@
 package rigibo.frontend.scene;
 
-/** What a click can do, besides deleting, as far as it sounds different. */
+/** What a click can do besides deleting, told apart by its sound. */
 public enum Deed {
     /** A rope was cut. */
     SNIP,

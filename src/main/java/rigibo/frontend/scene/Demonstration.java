@@ -26,7 +26,7 @@ public interface Demonstration {
     /** Whether everything has been shown. */
     boolean isOver();
 
-    /** Whether it showed what it was to show, such as a level being won. */
+    /** Whether it succeeded: for instance, whether the level was won. */
     boolean hasSucceeded();
 
     /**

@@ -27,7 +27,7 @@ public interface Director {
         return true;
     }
 
-    /** The player, and what is remembered of him or her. */
+    /** The player's settings and progress. */
     Player player();
 
     /** The player's settings. */
@@ -82,18 +82,20 @@ public interface Director {
     /** Puts a text on the clipboard, and says so. */
     default void copy(String text) {}
 
-    /** Whether what is shown has an address, which can be given to others. */
+    /** Whether the scene that is shown has an address, which players can share. */
     default boolean hasAddress() {
         return false;
     }
 
-    /** Gives the address of what is shown to somebody: by what the system has for it. */
+    /** Shares the address of the scene that is shown, by the system's own means. */
     default void share() {}
 
-    /** Opens what is on the clipboard, if it is the code of a level or replay. */
+    /** Opens the level or replay whose code is on the clipboard, if there is one. */
     default void paste() {}
 
-    /** Whether files are handed over, since nobody finds those that the game keeps by itself. */
+    /**
+     * Whether files are handed over to the player, who could not find those that the game keeps.
+     */
     default boolean handsOver() {
         return false;
     }

@@ -41,24 +41,27 @@ public final class Grip {
         return held != null;
     }
 
-    /** What could be taken hold of at a point, world m. */
+    /** The body that could be taken hold of at a point, world m. */
     public static Optional<RigidBody> under(Pool pool, double x, double y) {
         return pool.bodyAt(x, y).filter(body -> body.type() == BodyType.DYNAMIC);
     }
 
-    /** When a finger at a point, world m, presses: at once what it drags. */
+    /** When a finger at a point, world m, presses: at once if there is something to drag. */
     public static Tap tap(Pool pool, double x, double y) {
         return under(pool, x, y).isPresent() ? Tap.AT_ONCE : Tap.RESTED;
     }
 
-    /** Who carries the joint and feels nothing of it: what stands still, if anything does. */
+    /**
+     * The body that the mouse joint is attached to, without effect on it: one that stands still, if
+     * there is any.
+     */
     private Optional<RigidBody> carrier(Pool pool) {
         Optional<RigidBody> still =
                 pool.bodies().stream().filter(body -> body.type() == BodyType.STATIC).findFirst();
         return still.or(() -> pool.bodies().stream().filter(body -> body != held).findFirst());
     }
 
-    /** Lets go of what is held. */
+    /** Lets go of the held body. */
     public void letGo() {
         if (isHand()) {
             bench.part(hand);
@@ -87,12 +90,12 @@ public final class Grip {
         return pointerY;
     }
 
-    /** What is held, if it is still there. */
+    /** The held body, if it is still in the pool. */
     public Optional<RigidBody> held() {
         return Optional.ofNullable(held).filter(RigidBody::isAlive);
     }
 
-    /** Pulls what is held towards the pointer: it keeps its speed when it is let go. */
+    /** Pulls the held body towards the pointer; when it is let go, it keeps its speed. */
     public void pull() {
         double x = pointerX;
         double y = pointerY;

@@ -12,7 +12,7 @@ public final class Guest implements Player {
     private Progress progress = Progress.none();
     private final List<String> notices = new ArrayList<>();
 
-    /** Who begins with certain settings. */
+    /** A guest with the given settings. */
     public Guest(Settings settings) {
         this.settings = settings;
     }

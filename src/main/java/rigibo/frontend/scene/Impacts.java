@@ -14,8 +14,9 @@ import java.util.function.Function;
 public final class Impacts {
 
     /**
-     * A change of velocity that is heard, m/s. What rests is pressed on by g·dt = 0.16 m/s in every
-     * step, and comes to rest in bounces no faster than that: twice as much is a knock.
+     * Smallest change of velocity that is heard, m/s. A body at rest gets g·dt = 0.16 m/s from its
+     * support in every step, and its last bounces are no faster than that. Twice as much is a
+     * knock.
      */
     private static final double HEARD = 0.35;
 
@@ -43,7 +44,7 @@ public final class Impacts {
         }
     }
 
-    /** Of the two the one that the impact moves more, which is never the ground. */
+    /** The body that the impact moves more, which is never the ground. */
     private static RigidBody lighter(ContactView contact) {
         return contact.a.mass() < contact.b.mass() ? contact.a : contact.b;
     }

@@ -18,7 +18,7 @@ public record KeyBindings(Map<Action, Key> keys) {
     /** The keys among which a player chooses. */
     public static final Set<Key> FREE = Collections.unmodifiableSet(free());
 
-    /** What holds before anything was chosen. */
+    /** The default keys. */
     public static final KeyBindings FIRST = completed(Map.of());
 
     public KeyBindings {

@@ -3,10 +3,10 @@ package rigibo.frontend.scene;
 import java.util.function.Function;
 
 /**
- * What a window shows, in logical pixels. A scene lies at (0, 0) and measures {@link Scene#WIDTH} ×
- * {@link Scene#HEIGHT}; a window of another shape shows more on its sides, so that points left of
- * the scene have a negative x. Layouts make a scene as large as fits, never distort it, and leave
- * the scene's own coordinates alone.
+ * The part of the plane that a window shows, in logical pixels. A scene lies at (0, 0) and measures
+ * {@link Scene#WIDTH} × {@link Scene#HEIGHT}; a window of another shape shows more on its sides, so
+ * that points left of the scene have a negative x. A layout makes a scene as large as fits and
+ * never distorts it; the scene's own coordinates stay the same.
  *
  * @param left x of the window's left edge, 0 or less
  * @param top y of its upper edge, 0 or less
@@ -14,7 +14,7 @@ import java.util.function.Function;
  * @param height of the window, {@link Scene#HEIGHT} or more
  * @param ratio pixels of the window per logical one
  * @param type factor by which the smallest text is enlarged to be read in a small window, 1 or more
- * @param touch what a window in a hand asks for
+ * @param touch what a handheld window needs for fingers
  */
 public record Layout(
         double left,
@@ -31,7 +31,7 @@ public record Layout(
     /** Width of a column of plates with text of its usual size, px. */
     private static final double COLUMN = 270;
 
-    /** Between a column and what is beside it, px. */
+    /** Gap between a column and the scene beside it, px. */
     private static final double GAP = 5;
 
     /** Wider than this a column of plates is hard to read, px. */
@@ -43,16 +43,16 @@ public record Layout(
     /** The smallest text of scenes, px. */
     private static final double SMALLEST_TEXT = 16;
 
-    /** The smallest text of a window in a hand, px of its screen. */
+    /** The smallest text of a handheld window, px of its screen. */
     private static final double TEXT_IN_HAND = 14;
 
-    /** The smallest side of what is touched, px of its screen. */
+    /** Smallest side of anything to touch, px of the screen. */
     public static final double FINGER = 44;
 
     /** A scene in a window of its own shape and size. */
     public static final Layout ALONE = of(Scene.WIDTH, Scene.HEIGHT, 1);
 
-    /** A layout for a window on a desk. */
+    /** A layout for a desktop window. */
     Layout(double left, double top, double width, double height, double ratio, double type) {
         this(left, top, width, height, ratio, type, Touch.NONE);
     }
@@ -78,12 +78,12 @@ public record Layout(
     }
 
     /**
-     * A scene in the middle of a window that is held in a hand.
+     * A scene in the middle of a handheld window.
      *
      * @param windowWidth in pixels
      * @param windowHeight in pixels
      * @param contentScale pixels of the window per pixel of text at its usual size
-     * @param hidden what is not seen of the window's edges, in pixels
+     * @param hidden the hidden parts of the window's edges, in pixels
      */
     public static Layout inHand(
             int windowWidth, int windowHeight, double contentScale, Edges hidden) {
@@ -112,7 +112,8 @@ public record Layout(
 
     /**
      * Returns a layout with room for plates beside the scene: moves the scene to the right edge
-     * where there is room for one column, and none for two. In a hand it stays in the middle.
+     * where there is room for one column, and none for two. In a handheld window it stays in the
+     * middle.
      */
     public Layout withColumns() {
         double beside = width - Scene.WIDTH;
@@ -181,12 +182,12 @@ public record Layout(
         return top + height;
     }
 
-    /** Whether fingers are used, and there is little room for what they touch. */
+    /** Whether fingers are used and there is little room. */
     public boolean isInHand() {
         return touch.least() > 0;
     }
 
-    /** Whether it is higher than wide: what lies around the scene is above and below it. */
+    /** Whether it is higher than wide, so that buttons lie above and below the scene. */
     public boolean isUpright() {
         return height > width;
     }
@@ -194,9 +195,9 @@ public record Layout(
     /**
      * One of three ways to lay something out.
      *
-     * @param onADesk used where the window is not in a hand
-     * @param upright makes the one for a window in a hand that is higher than wide
-     * @param lying makes the one for any other window in a hand
+     * @param onADesk used for a desktop window
+     * @param upright makes the layout of a handheld window that is higher than wide
+     * @param lying makes the layout of any other handheld window
      */
     public <P> P choose(P onADesk, Function<Layout, P> upright, Function<Layout, P> lying) {
         if (!isInHand()) {
@@ -205,29 +206,29 @@ public record Layout(
         return isUpright() ? upright.apply(this) : lying.apply(this);
     }
 
-    /** Left edge of what is seen of the window, px. */
+    /** Left edge of the visible part of the window, px. */
     public double seenLeft() {
         return left + touch.hidden().left();
     }
 
-    /** Upper edge of what is seen of the window, px. */
+    /** Upper edge of the visible part of the window, px. */
     public double seenTop() {
         return top + touch.hidden().top();
     }
 
-    /** Right edge of what is seen of the window, px. */
+    /** Right edge of the visible part of the window, px. */
     public double seenRight() {
         return right() - touch.hidden().right();
     }
 
-    /** Lower edge of what is seen of the window, px. */
+    /** Lower edge of the visible part of the window, px. */
     public double seenBottom() {
         return bottom() - touch.hidden().bottom();
     }
 
     /**
-     * The window in px of which a small letter has 16, whatever the window, from its upper left
-     * corner on: for what is laid out in the window instead of about the scene.
+     * The window as a sheet, from its upper left corner on, in px of which a small letter has 16 in
+     * any window. It is for parts laid out in the window instead of around the scene.
      */
     public Layout sheet() {
         return new Layout(
@@ -240,12 +241,14 @@ public record Layout(
                 new Touch(touch.least() / type, touch.hidden().times(1 / type)));
     }
 
-    /** Height of something to click, px: in a hand, at least that of a finger. */
+    /** Height of something to click, px: in a handheld window, at least that of a finger. */
     public double clickable(double usual) {
         return Math.max(usual, touch.least());
     }
 
-    /** A length that grows with small text in a hand, px; on a desk as it is. */
+    /**
+     * A length that grows with small text in a handheld window, px; unchanged in a desktop window.
+     */
     public double lettered(double usual) {
         return isInHand() ? usual * type : usual;
     }

@@ -58,12 +58,12 @@ public record LevelProgress(
         return new LevelProgress(levelHash, isSolved, fewestClicks, more, hasStar);
     }
 
-    /** Of a level that is solved. */
+    /** A copy whose star was found. */
     LevelProgress starred() {
         return new LevelProgress(levelHash, isSolved, fewestClicks, failures, true);
     }
 
-    /** Together with what was done elsewhere, which counts no failures. */
+    /** Merges progress made elsewhere; failures there do not count. */
     LevelProgress with(LevelProgress other) {
         LevelProgress known = other.in(levelHash);
         OptionalInt fewest =

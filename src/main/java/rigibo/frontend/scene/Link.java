@@ -6,12 +6,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * A scene and what is chosen in it, as a text for an address: {@code
- * pendulum?accuracy=fine&length=1.2}. The text of a link may be anybody's, so that nothing of it is
- * taken but short words and numbers.
+ * A scene and the choices made in it, as the text of an address: {@code
+ * pendulum?accuracy=fine&length=1.2}. Anybody may have written the text, so only short words and
+ * numbers are taken from it.
  *
  * @param scene its name; empty for the menu
- * @param choices what is chosen, by the names of what can be
+ * @param choices the choices, by name
  */
 public record Link(String scene, Map<String, String> choices) {
 
@@ -38,7 +38,9 @@ public record Link(String scene, Map<String, String> choices) {
         return new Link(scene, Map.of());
     }
 
-    /** Reads a text; what is no name, no word and no number is read as a choice that nobody has. */
+    /**
+     * Reads a text. A part that is no name, word or number becomes a choice that no scene knows.
+     */
     public static Link of(String text) {
         int end = text.indexOf('?');
         String scene = end < 0 ? text : text.substring(0, end);

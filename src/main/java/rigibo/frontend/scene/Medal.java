@@ -12,7 +12,7 @@ public enum Medal {
         this.color = color;
     }
 
-    /** What it is made of. */
+    /** The colour of its metal. */
     public Color color() {
         return color;
     }

@@ -9,6 +9,9 @@ public interface Narrator {
     /** Something can be used at present. */
     void offers(Control control);
 
-    /** What has happened, or is to be known at present: it is read once, when it is new. */
+    /**
+     * Says what has happened, or what the player should know now; a sentence is read once, when it
+     * is new.
+     */
     void says(String words);
 }

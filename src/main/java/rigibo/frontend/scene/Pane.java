@@ -1,19 +1,19 @@
 package rigibo.frontend.scene;
 
 /**
- * What a window or a page is, whatever it shows.
+ * Size and kind of a window or page, whatever it shows.
  *
  * @param width in pixels
  * @param height in pixels
  * @param contentScale pixels per pixel of text at its usual size
- * @param hidden what is not seen of its edges, in pixels
- * @param isTouched whether fingers are all that points at it
+ * @param hidden the hidden parts of its edges, in pixels
+ * @param isTouched whether it is used by fingers alone
  */
 public record Pane(int width, int height, double contentScale, Edges hidden, boolean isTouched) {
 
     /**
-     * Smaller windows are held in a hand, px of text: no phone is wider, and no window on a desk is
-     * made as small.
+     * Windows narrower than this are handheld, px of text: no phone is wider, and no desktop window
+     * is made that small.
      */
     private static final double SMALLEST_ON_A_DESK = 500;
 

@@ -1,7 +1,8 @@
 package rigibo.frontend.scene;
 
 /**
- * What two fingers did since they were last heard of: they moved their middle, and drew apart.
+ * How two fingers moved since the last report: the move of their middle, and the growth of their
+ * distance.
  *
  * @param factor by which the distance between them grew, greater than 0
  * @param x where their middle is now, px

@@ -7,16 +7,16 @@ import java.util.Optional;
 /** The player: settings and progress. */
 public interface Player {
 
-    /** What the player has chosen. */
+    /** The player's settings. */
     Settings settings();
 
     /** Chooses anew. */
     void settings(Settings changed);
 
-    /** What the player has done. */
+    /** The player's progress. */
     Progress progress();
 
-    /** Keeps what was done by now. */
+    /** Replaces the progress. */
     void progress(Progress changed);
 
     /** Where solved runs are kept; nothing where none are. */
@@ -28,7 +28,7 @@ public interface Player {
     /** Where measurements and pictures are saved; nothing where none are. */
     Optional<Path> measurements();
 
-    /** What the player should know about the files of all this, a sentence or two each. */
+    /** Notices about the player's files, a sentence or two each. */
     List<String> notices(Words words);
 
     /** The player has read them; what still holds will be told again. */

@@ -6,12 +6,12 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * A player's progress: in the levels of the game, in those of days, and in the endless ones;
- * immutable. A changed value is passed to {@link Director#progress(Progress)}.
+ * A player's progress: in the levels of the game, the daily levels and the endless ones; immutable.
+ * A changed value is passed to {@link Director#progress(Progress)}.
  *
  * @param levels by the level's id, in its order
- * @param days the best game at the level of each day that was solved, by its date
- * @param endless number of the endless level that is next, from 1
+ * @param days the best game at each daily level that was solved, by date
+ * @param endless number of the next endless level, from 1
  * @param totals of all levels together
  */
 public record Progress(
@@ -36,7 +36,7 @@ public record Progress(
     }
 
     /**
-     * What was done in a level.
+     * The progress in a level.
      *
      * @param id of the level
      * @param hash of the level as it is now
@@ -74,7 +74,7 @@ public record Progress(
         return new Progress(levels, changed, endless, totals);
     }
 
-    /** After the endless level before a number; what lies behind is not gone back to. */
+    /** A copy with the given number as the next endless level; it never goes back. */
     public Progress endless(int next) {
         return new Progress(levels, days, Math.max(endless, next), totals);
     }
@@ -90,8 +90,8 @@ public record Progress(
     }
 
     /**
-     * Together with what was done elsewhere; totals are left as they are here, for both may count
-     * the same tries.
+     * Merges progress made elsewhere. Totals stay as they are here, since both may have counted the
+     * same tries.
      */
     public Progress with(Progress other) {
         SortedMap<String, LevelProgress> all = new TreeMap<>(levels);

@@ -14,13 +14,13 @@ public interface Scene {
 
     int HEIGHT = 800;
 
-    /** What the physics goes on by in a step, s. */
+    /** Simulated time of a step, s. */
     double STEP = 1.0 / 60;
 
     /** The window's title. */
     String title();
 
-    /** What an address says of it; the menu where no address leads here. */
+    /** The link to it with its present choices; the menu's where no link leads here. */
     default Link link() {
         return Link.MENU;
     }
@@ -32,7 +32,7 @@ public interface Scene {
         return link.choices().isEmpty();
     }
 
-    /** What is behind it. */
+    /** Its scenery. */
     default Scenery scenery() {
         return Scenery.WORKSHOP;
     }
@@ -42,7 +42,7 @@ public interface Scene {
         return false;
     }
 
-    /** Whether it has a text beside it, which is to have all the room that there is. */
+    /** Whether it has a text beside it that should get all the room there is. */
     default boolean hasSource() {
         return false;
     }
@@ -53,8 +53,8 @@ public interface Scene {
     }
 
     /**
-     * Whether it has a layout of its own for a window in a hand; where not, it is as small there as
-     * the window is.
+     * Whether it has a layout of its own for a handheld window; otherwise it is shrunk to fit
+     * there.
      */
     default boolean isForHands() {
         return isSheet();
@@ -76,7 +76,7 @@ public interface Scene {
     /** Draws everything. */
     void draw(Canvas canvas);
 
-    /** Tells in words what was last drawn: all that can be used, and what has happened. */
+    /** Tells in words what was last drawn: all controls, and what has happened. */
     default void describe(Narrator narrator) {}
 
     /** A frame was drawn and took this long, ns, all that OpenGL had to do for it included. */
@@ -97,18 +97,18 @@ public interface Scene {
     /** A button went up. */
     default void pointerReleased(PointerButton button, double x, double y) {}
 
-    /** When a finger at a point presses what is there. */
+    /** When a finger at a point presses. */
     default Tap tap(double x, double y) {
         return Tap.AT_ONCE;
     }
 
-    /** A finger begins or ends to choose what is under the pointer; see {@link Tap#CHOSEN}. */
+    /** A finger begins or stops choosing what is under the pointer; see {@link Tap#CHOSEN}. */
     default void choosing(boolean isChoosing) {}
 
-    /** What the pointer has begun, and not ended, is given up; its button goes up next. */
+    /** Cancels what the pointer has begun and not finished; its button goes up next. */
     default void interrupted() {}
 
-    /** Two fingers moved or enlarged what is seen. */
+    /** Two fingers moved or enlarged the view. */
     default void pinched(Pinch pinch) {}
 
     /** The wheel turned; positive away from the user. */
@@ -119,16 +119,19 @@ public interface Scene {
         return Optional.empty();
     }
 
-    /** A key went down, or repeats; where keys may be chosen, the first one of what was meant. */
+    /**
+     * A key went down or repeats. Where keys may be chosen, it is the default key of the action
+     * that was meant.
+     */
     default void keyPressed(Key key) {}
 
-    /** What is held down while other keys and buttons are pressed; told before each of them. */
+    /** The modifier keys that are held down; told before each other key or button. */
     default void held(Set<Modifier> modifiers) {}
 
     /** A character was typed, as the keyboard's layout has it: a code point of Unicode. */
     default void typed(int codePoint) {}
 
-    /** Whether what is typed is text just now: then no key means anything else but Esc. */
+    /** Whether keys now type text; then no key but Esc means anything else. */
     default boolean isTyping() {
         return false;
     }

@@ -8,8 +8,8 @@ import java.util.function.Function;
  *
  * @param name for the command line, in kebab-case; a level's id
  * @param title for people, in their language
- * @param words a short sentence about it
- * @param challenge what can be won in it, for a level
+ * @param words a short sentence about the scene
+ * @param challenge what can be won, for a level
  * @param open makes a new instance of the scene
  */
 public record SceneEntry(
@@ -20,14 +20,14 @@ public record SceneEntry(
         Function<Director, Scene> open) {
 
     /**
-     * What there is to win in a level, and what it looks like.
+     * What can be won in a level, and its picture.
      *
      * @param hash of the level, as progress names it
-     * @param world number of the world that the level is in, from 1
+     * @param world number of the level's world, from 1
      * @param par clicks of a gold medal
      * @param picture the level at its start
-     * @param watch the player's best run that was kept, as it is watched; nothing where none was
-     * @param star what earns the secret star, for whoever has found it; nothing where there is none
+     * @param watch opens the player's best run; empty where none was kept
+     * @param star what earns the secret star, told once it is found; empty where there is none
      */
     public record Challenge(
             long hash,
@@ -45,10 +45,10 @@ public record SceneEntry(
         }
     }
 
-    /** What a scene looks like before it is opened. */
+    /** A picture of the scene before it is opened. */
     public interface Picture {
 
-        /** What is behind it. */
+        /** Its scenery. */
         default Scenery scenery() {
             return Scenery.WORKSHOP;
         }

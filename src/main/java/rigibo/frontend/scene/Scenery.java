@@ -1,6 +1,6 @@
 package rigibo.frontend.scene;
 
-/** What is seen behind a scene, as far as the window goes. */
+/** The background behind a scene, up to the window's edges. */
 public enum Scenery {
     /** A wall of boards with tools and shelves, at dusk. */
     WORKSHOP,

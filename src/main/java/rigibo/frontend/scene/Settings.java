@@ -9,7 +9,7 @@ import java.util.function.Consumer;
  * @param language of the words, one of {@link #LANGUAGES}
  * @param volume of the sounds, 0 to 1
  * @param isMuted whether there is no sound, whatever the volume
- * @param motion how much shakes, flashes and fades
+ * @param motion how much the picture shakes, flashes and fades
  * @param detail how much detail is drawn
  * @param isFullScreen whether windows fill the screen
  * @param hasGhost whether the best run of a level is shown beside the game
@@ -79,7 +79,7 @@ public record Settings(
         }
     }
 
-    /** What holds before anything was chosen, in the system's language where we have it. */
+    /** The default settings, in the system's language if the game has it. */
     public static Settings initial(String systemLanguage) {
         String language = LANGUAGES.contains(systemLanguage) ? systemLanguage : "en";
         return new Settings(

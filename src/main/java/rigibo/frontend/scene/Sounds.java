@@ -6,9 +6,9 @@ public interface Sounds {
     /**
      * Two bodies met.
      *
-     * @param skin what the lighter of the two is made of
-     * @param size the root of its area, m, more than 0: large things sound low
-     * @param impulse N·s, more than 0: a soft knock for a little and a loud one for much
+     * @param skin skin of the lighter body
+     * @param size root of its area, m, more than 0: large bodies sound low
+     * @param impulse N·s, more than 0: the larger, the louder
      */
     void knock(Skin skin, double size, double impulse);
 

@@ -1,12 +1,12 @@
 package rigibo.frontend.scene;
 
 /**
- * What a player has done in all levels together, since games count it. Each number stops at the
- * largest that an int holds.
+ * Totals of a player over all levels, as far back as games have counted them. Each number stops at
+ * the largest int.
  *
- * @param tries at levels that ended, or were left after a click
- * @param clicks that did something, also those taken back
- * @param steps of 1/60 s that were played, until levels were won or lost
+ * @param tries tries that ended, or were left after a click
+ * @param clicks clicks that did something, including those taken back
+ * @param steps steps of 1/60 s played until levels were won or lost
  */
 public record Totals(int tries, int clicks, int steps) {
 
@@ -26,7 +26,7 @@ public record Totals(int tries, int clicks, int steps) {
         }
     }
 
-    /** Together with what was done besides. */
+    /** Adds other totals. */
     public Totals plus(Totals more) {
         return new Totals(sum(tries, more.tries), sum(clicks, more.clicks), sum(steps, more.steps));
     }
@@ -35,7 +35,7 @@ public record Totals(int tries, int clicks, int steps) {
         return (int) Math.min(Integer.MAX_VALUE, (long) one + other);
     }
 
-    /** What was done since an earlier state of the same count. */
+    /** The difference from an earlier state of these totals. */
     public Totals since(Totals before) {
         return new Totals(
                 Math.max(0, tries - before.tries),

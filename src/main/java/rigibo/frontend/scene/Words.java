@@ -65,7 +65,7 @@ public final class Words {
     }
 
     /**
-     * A number as it is written in the language, with its decimal mark.
+     * A number in the language's notation, with its decimal mark.
      *
      * @param format as of {@link java.util.Formatter}, such as {@code %.2f m}
      */

@@ -14,8 +14,8 @@ final class AlsaWords {
     private AlsaWords() {}
 
     /**
-     * Has ALSA's complaints answered by a function of its own that does nothing, in place of the
-     * one that prints: what is returned, and what is passed beyond its parameters, nobody looks at.
+     * Replaces the function by which ALSA prints errors by a function of ALSA that does nothing.
+     * Its result is ignored, and so are the arguments that it has no parameters for.
      */
     static void silence() {
         if (Platform.get() == Platform.LINUX) {

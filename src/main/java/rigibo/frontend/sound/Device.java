@@ -72,7 +72,7 @@ final class Device {
         return buffer;
     }
 
-    /** Starts a sample on a voice, in place of what it plays. */
+    /** Starts a sample on a voice, in place of the present one. */
     void play(int voice, Sample sample, double gain, double pitch) {
         int source = sources[voice];
         alSourceStop(source);
@@ -88,7 +88,7 @@ final class Device {
         alSourcef(rolling, AL_PITCH, (float) pitch);
     }
 
-    /** What all of it is multiplied with from now on, 0 to 1. */
+    /** Sets the overall volume, 0 to 1. */
     void volume(double volume) {
         alListenerf(AL_GAIN, (float) volume);
     }

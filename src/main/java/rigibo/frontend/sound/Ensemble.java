@@ -7,7 +7,7 @@ import java.util.Comparator;
 import java.util.PriorityQueue;
 
 /**
- * Decides in each turn what is played on a device, so that nothing clips and no sound is drowned.
+ * Decides in each turn which sounds a device plays, so that nothing clips and no sound is drowned.
  */
 final class Ensemble {
 
@@ -17,12 +17,12 @@ final class Ensemble {
     private static final int KNOCKING_VOICES = 12;
     private static final int SIGNALLING_VOICES = 4;
 
-    /** The voices that a device is asked for. */
+    /** The number of voices that a device needs. */
     static final int VOICES = KNOCKING_VOICES + SIGNALLING_VOICES + Music.VOICES;
 
     /**
-     * What knocks and signals may be of full scale, each for themselves, so that a signal is heard
-     * in any noise; together with what rolls and with the music they are 1.
+     * Shares of full scale for knocks and for signals, kept apart so that a signal is heard in any
+     * noise. With the shares of rolling and of the music they add up to 1.
      */
     private static final double MOST_KNOCKING = 0.38;
 
@@ -37,7 +37,7 @@ final class Ensemble {
     private final PriorityQueue<Knock> loudest =
             new PriorityQueue<>(Comparator.comparingDouble(Knock::gain));
 
-    /** Plays samples that the device has, and a score where it is asked to. */
+    /** Plays the samples that the device holds, and a score if one is given. */
     Ensemble(Device device, Samples samples, Score score) {
         this.device = device;
         this.samples = samples;
@@ -98,7 +98,7 @@ final class Ensemble {
         }
     }
 
-    /** What all of it is multiplied with from now on, 0 to 1. */
+    /** Sets the overall volume, 0 to 1. */
     void volume(double volume) {
         device.volume(volume);
     }

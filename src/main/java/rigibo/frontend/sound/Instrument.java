@@ -2,7 +2,10 @@ package rigibo.frontend.sound;
 
 import java.util.List;
 
-/** What plays the music, synthesised as knocks are: bars and bells without the blow. */
+/**
+ * The instruments of the music, synthesised like knocks: bars and bells without the noise of the
+ * stroke.
+ */
 enum Instrument {
     /** A long bar, felt more than heard. */
     BASS(110, Tone.steady(110, 1, 0.55), Tone.steady(220, 0.30, 0.30), Tone.steady(330, 0.06, 0.2)),

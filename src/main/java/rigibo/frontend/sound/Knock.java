@@ -24,8 +24,9 @@ record Knock(Skin skin, double gain, double pitch) {
     private static final double LOUDNESS_EXPONENT = 0.35;
 
     /**
-     * How pitch falls with size. Of bodies alike in shape one twice as wide sounds an octave lower,
-     * exponent 1; half of that keeps the largest above what small loudspeakers can do.
+     * Exponent by which pitch falls with size. Among bodies of one shape, one twice as wide sounds
+     * an octave lower: that is an exponent of 1. Half of it keeps the largest bodies within the
+     * range of small loudspeakers.
      */
     private static final double PITCH_EXPONENT = 0.5;
 

@@ -5,7 +5,7 @@ final class Music {
 
     static final int VOICES = 10;
 
-    /** What the music may be of full scale: it lies under all that the game has to say. */
+    /** Share of full scale for the music, quieter than all sounds that tell something. */
     static final double MOST = 0.18;
 
     private final Score score;
@@ -14,7 +14,7 @@ final class Music {
     private Note next;
     private double time;
 
-    /** What a note is played on. */
+    /** Plays notes on a device. */
     interface Player {
 
         /** Starts a sample on one of {@link #VOICES} voices, in place of what that plays. */

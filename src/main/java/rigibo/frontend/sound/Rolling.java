@@ -61,7 +61,7 @@ final class Rolling {
         told = Math.max(told, speed);
     }
 
-    /** Goes on by a turn. What is not told again falls silent. */
+    /** Ends a turn: bodies that were not reported again fall silent. */
     void turn() {
         double share = Math.min(1, told / FAST);
         gain += SWIFTNESS * (MOST * share - gain);

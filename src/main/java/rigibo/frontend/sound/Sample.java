@@ -111,7 +111,7 @@ final class Sample {
         return loudest;
     }
 
-    /** What is played; to be read only. */
+    /** The samples to play; not to be written. */
     short[] values() {
         return values;
     }

@@ -152,7 +152,7 @@ final class Score {
         }
     }
 
-    /** The lowest key from one on that is so many semitones above some C. */
+    /** The lowest key, from a given one on, that lies the given number of semitones above a C. */
     private static int from(int lowest, int semitones) {
         return lowest + Math.floorMod(semitones - lowest, 12);
     }

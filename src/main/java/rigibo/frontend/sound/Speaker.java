@@ -83,8 +83,8 @@ public final class Speaker implements Sounds {
     }
 
     /**
-     * Gives the device back; nothing is heard from then on. One that is just being opened is waited
-     * for, as no thread should be inside a driver when the process ends, but not for ever.
+     * Closes the device and silences it. If it is just being opened, waits a limited time for that,
+     * since no thread should be inside a driver when the process ends.
      */
     public void close() {
         opening.completeOnTimeout(Optional.empty(), PATIENCE, TimeUnit.SECONDS)

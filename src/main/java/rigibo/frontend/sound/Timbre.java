@@ -33,7 +33,7 @@ record Timbre(double frequency, double decay, double contact, double hiss, doubl
     /** A block as long as thick, which bends, shears and stretches: no row of its own. */
     private static final double[] BLOCK = {1, 1.47, 2.09, 2.56, 3.39, 4.08};
 
-    /** What a skin sounds like. */
+    /** The timbre of a skin. */
     static Timbre of(Skin skin) {
         return switch (skin) {
             case RIGIBO -> new Timbre(270, 0.10, 0.0012, 0.10, MARIMBA);

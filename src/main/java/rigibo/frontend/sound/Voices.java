@@ -12,7 +12,7 @@ final class Voices {
     /** In place of a voice: it is not played. */
     static final int NONE = -1;
 
-    /** What is quieter than this beside full scale is not started: 46 dB below. */
+    /** Share of full scale below which a sound is not started: −46 dB. */
     private static final double AUDIBLE = 0.005;
 
     private final double most;
@@ -76,7 +76,7 @@ final class Voices {
         return quietest;
     }
 
-    /** What a voice's sample is to be multiplied with. */
+    /** Volume of a voice's sample. */
     double gain(int voice) {
         return voices[voice].gain;
     }

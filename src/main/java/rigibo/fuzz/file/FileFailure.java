@@ -4,7 +4,7 @@ package rigibo.fuzz.file;
  * A file that breaks the game.
  *
  * @param kind of the file
- * @param file what it is called, and what is in it
- * @param words what was seen
+ * @param file its name and content
+ * @param words the failure
  */
 public record FileFailure(String kind, Sample file, String words) {}

@@ -3,7 +3,7 @@ package rigibo.fuzz.file;
 /**
  * A valid file.
  *
- * @param name what the game calls it
- * @param bytes what is in it
+ * @param name its name in the game
+ * @param bytes its content
  */
 public record Sample(String name, byte[] bytes) {}

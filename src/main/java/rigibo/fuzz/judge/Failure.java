@@ -4,7 +4,7 @@ package rigibo.fuzz.judge;
  * A law that a program broke.
  *
  * @param law which law
- * @param operation after how many operations, counted from 0
- * @param words what was seen
+ * @param operation number of operations before it
+ * @param words the failure
  */
 public record Failure(String law, int operation, String words) {}

@@ -4,7 +4,7 @@ import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** Counts what was really checked. */
+/** Counts the checks that were really made. */
 public final class Tally {
 
     /** The counters. */

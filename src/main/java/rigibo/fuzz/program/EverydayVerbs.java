@@ -29,7 +29,7 @@ record EverydayVerbs(Chance chance, Temper temper, Bodies bodies) {
         };
     }
 
-    /** Refused unless the body is kinematic, and not kept from going there. */
+    /** Refused unless the body is kinematic and no lock keeps it from going there. */
     private Operation driveTo(int number) {
         double x = temper.placeX(chance);
         double y = temper.placeY(chance);

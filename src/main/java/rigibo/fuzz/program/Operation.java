@@ -9,8 +9,8 @@ import java.util.function.Consumer;
  * One call of a program.
  *
  * @param java the statement
- * @param kind what has to become of it
- * @param refusal what a refusal has to name; empty where any field may be at fault
+ * @param kind the outcome that it must have
+ * @param refusal the field that a refusal must name; empty if several may be wrong
  * @param bodies the numbers of the bodies that it names
  * @param act does what the statement says
  */

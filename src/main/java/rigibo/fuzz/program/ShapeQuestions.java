@@ -29,7 +29,7 @@ record ShapeQuestions(Chance chance, Temper temper, Bodies bodies) {
         };
     }
 
-    /** Of all bodies that a ray enters, the first must be the one that the nearest hit reports. */
+    /** The first of all bodies that a ray enters must be the body of the nearest hit. */
     private Operation rays() {
         double fromX = temper.placeX(chance);
         double fromY = temper.placeY(chance);
@@ -116,10 +116,7 @@ record ShapeQuestions(Chance chance, Temper temper, Bodies bodies) {
                 stage -> stage.pool().nearest(x, y, within, filter.value()));
     }
 
-    /**
-     * A sensor's visitors are the same whether asked of the pool or of the sensor; without the
-     * effect none are asked.
-     */
+    /** The pool and the sensor must name the same visitors; without the effect none are queried. */
     private static Operation sensors(int one, int other) {
         return Operation.asked(
                 "if (pool.effects().declares(Sensors.class)) { assertThat(pool.inside(body["

@@ -97,7 +97,7 @@ record Findings(List<Ablation> ablations, List<UseCost> uses, List<Saving> savin
     /**
      * The time that a scene saves without an effect.
      *
-     * @param companions what is left out with it, because it needs it
+     * @param companions effects left out with it, because they need it
      * @param pairs without it first, whole second
      */
     record Saving(String scene, String effect, List<String> companions, Pairs pairs) {

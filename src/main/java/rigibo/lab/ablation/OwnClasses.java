@@ -30,7 +30,8 @@ import java.util.TreeSet;
 /**
  * The engine's classes that exist only for some effects. A new effect adds one line.
  *
- * @param owners the effects of which one at least has to be declared for the classes to be needed
+ * @param owners the effects that need the classes; they are needed if at least one of these is
+ *     declared
  * @param classes in the package {@code rigibo.backend}, by room and simple name, with all that is
  *     nested in them; {@code contact.*} is a whole room
  */

@@ -22,7 +22,7 @@ public record Question(List<String> scenes, int runs, long seed, Path out) {
     /**
      * Checks names and numbers.
      *
-     * @throws IllegalArgumentException naming what is wrong and what may be
+     * @throws IllegalArgumentException naming what is wrong and what is allowed
      */
     public Question {
         List<String> known = sceneNames();

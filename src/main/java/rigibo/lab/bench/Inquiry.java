@@ -13,12 +13,12 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * What is asked of the bench.
+ * The order for a run of the bench.
  *
  * @param scenes in the order of the report
- * @param engines likewise
- * @param rounds in which every engine has each scene once
- * @param out directory in which what was found is kept
+ * @param engines in the order of the report
+ * @param rounds number of rounds; in each every engine runs every scene once
+ * @param out directory where results are kept
  */
 public record Inquiry(List<BenchScene> scenes, List<Engine> engines, int rounds, Path out) {
 

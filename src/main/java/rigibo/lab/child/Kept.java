@@ -77,7 +77,7 @@ public final class Kept {
     /**
      * Makes the missing runs, one after the other.
      *
-     * @param name under which what a run finds is kept
+     * @param name under which the result of a run is kept
      * @param result makes a run
      * @param tell is told how far it is
      */

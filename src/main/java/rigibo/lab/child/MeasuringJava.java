@@ -82,9 +82,9 @@ public final class MeasuringJava {
     /**
      * Runs a class to its end.
      *
-     * @param mark what the lines begin with that are answers
-     * @return what follows the mark in each of them
-     * @throws IllegalStateException when it breaks off, with what it said
+     * @param mark beginning of the lines that are answers
+     * @return the rest of each of these lines
+     * @throws IllegalStateException when the class breaks off, with its output
      */
     public List<String> run(String classPath, Class<?> main, List<String> arguments, String mark) {
         List<String> command = new ArrayList<>(pin);

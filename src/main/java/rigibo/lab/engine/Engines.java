@@ -35,7 +35,7 @@ public final class Engines {
     /**
      * The engine with a name.
      *
-     * @throws NoSuchElementException naming it where it is not at hand
+     * @throws NoSuchElementException naming it if it is not available
      */
     public static Engine named(String name) {
         return all().stream()

@@ -3,10 +3,10 @@ package rigibo.lab.engine;
 /**
  * A setting of an engine.
  *
- * @param name as its users would say it; no two of an engine are alike
- * @param line of a figure that it is a point of
- * @param at the value of what is swept along that line, in its unit; 0 where nothing is
- * @param step s from one step to the next
+ * @param name in the words of the engine's users; unique within the engine
+ * @param line the line of a figure that it is a point of
+ * @param at value of the knob that varies along that line, in its unit; 0 if none does
+ * @param step time step, s
  */
 public record Setting(String name, Line line, double at, double step) {
 

@@ -59,7 +59,8 @@ public interface World extends AutoCloseable {
     /**
      * The normal impulse between two bodies in the last step, N·s; 0 if they did not touch.
      *
-     * @throws IllegalStateException where it is not kept and nobody watched
+     * @throws IllegalStateException if the engine does not keep it and {@link #watchImpulses} was
+     *     not called
      */
     double normalImpulse(int a, int b);
 

@@ -19,12 +19,11 @@ public final class CaseTable {
 
             These scenes are hard to simulate, and their truth is known in closed form or as an \
             invariant. The class of each case in `src/main/java/rigibo/lab/hardcase` derives it. \
-            Every run must also keep what is true in every case: all numbers are finite, overlap \
-            stays below 2 %% of a body's width where the case sets no other limit, no energy is \
-            gained in a step or since the start, momentum is kept, and a second run gives the same \
-            bits. `EXACT` has limits of its own, the other presets have those of a game. Sleep is \
-            off unless the case is about sleep. A case with many variants runs a few of them; with \
-            `--full`, all.
+            In every run all numbers must be finite, and overlap must stay below 2 %% of a body's \
+            width where the case sets no other limit. No energy may be gained in a step or since \
+            the start, momentum is kept, and a second run gives the same bits. `EXACT` has limits \
+            of its own, the other presets have those of a game. Sleep is off unless the case is \
+            about sleep. A case with many variants runs a few of them; with `--full`, all.
 
             At `DRAFT` these cases are held to the invariants alone: %s.
 

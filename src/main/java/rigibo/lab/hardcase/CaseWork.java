@@ -14,7 +14,7 @@ import java.util.Locale;
  */
 public record CaseWork(long steps, Work all, int mostImpacts) {
 
-    /** Of no step. */
+    /** The work of no steps. */
     static final CaseWork NONE = new CaseWork(0, Work.NONE, 0);
 
     /** This and a step more. */

@@ -22,7 +22,7 @@ import java.util.SplittableRandom;
  * J9, J10 and J14. A motor of torque τ accelerates I to ω = τ·t/I up to its speed, one of force F
  * lifts m to v = (F/m − g)·t; its work is the energy gained. A body that strikes a limit at ω
  * leaves it at −e·ω, with e² of its energy. A joint breaks in the step in which its impulse exceeds
- * F·dt, that of a blow included.
+ * F·dt, that of an impact included.
  */
 final class DrivenJoints {
 
@@ -191,7 +191,7 @@ final class DrivenJoints {
         trial.measure("load that breaks it", Math.abs(share - 1), "of F", BREAK);
     }
 
-    /** Strikes a bob that hangs still: the blow and the weight act on the joint at once. */
+    /** Strikes a bob that hangs still: the impact and the weight act on the joint at once. */
     private static void strike(Trial trial, int kind, double mass, double force) {
         double margin = BREAK.of(trial.preset());
         for (int side = -1; side <= 1; side += 2) {
@@ -204,7 +204,7 @@ final class DrivenJoints {
             pool.step();
             boolean holds = joint.isAlive();
             trial.require(
-                    side < 0 ? "holds against a lesser blow" : "breaks by a greater blow",
+                    side < 0 ? "holds against a smaller impact" : "breaks by a greater impact",
                     holds == (side < 0));
         }
     }

@@ -68,8 +68,8 @@ final class JointCases {
                 JointImpacts::ropes);
         list.fromGame(
                 "J17",
-                "a blow on a jointed body moves all bodies joined to it",
-                JointImpacts::blows);
+                "an impact on a jointed body moves all bodies joined to it",
+                JointImpacts::strikes);
         list.fromGame(
                 "J16",
                 "joined bodies obey the laws of order, mirror, scale, frame and strangers",

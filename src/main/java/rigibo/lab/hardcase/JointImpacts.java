@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * J6, J11 and J17. A blow passes through joints at once: joined bodies respond with their common
+ * J6, J11 and J17. An impact passes through joints at once: joined bodies respond with their common
  * effective mass at the point struck, along its normal.
  */
 final class JointImpacts {
@@ -142,7 +142,7 @@ final class JointImpacts {
         return isX ? speed * cos : speed * Math.sin(angle);
     }
 
-    static void blows(Trial trial) {
+    static void strikes(Trial trial) {
         int count = trial.sampling().count(4, 40);
         for (int i = 0; i < count; i++) {
             SplittableRandom random = trial.sampling().random(i);

@@ -16,8 +16,8 @@ import java.util.function.ToDoubleFunction;
  *
  * @param spread mean distance from the middle of all bodies at the end, along x, m
  * @param height mean height at the end, m
- * @param slope of the way from the middle of what carries them to the middle of the bodies, against
- *     straight down, mean over the last third, rad
+ * @param slope angle between straight down and the line from the middle of the supports to the
+ *     middle of the bodies, mean over the last third, rad
  * @param energy of motion, mean over all steps, J per kg
  */
 record MeansOfRuns(double spread, double height, double slope, double energy) {

@@ -9,7 +9,7 @@ import java.util.List;
 
 /**
  * A pile that moves with its floor at a constant speed. Truth: the laws are equal in both frames,
- * so the pile does what it does on a floor at rest, with as much work.
+ * so the pile behaves as on a floor at rest and takes as much work.
  */
 final class MovingFloor implements Scenes {
 

@@ -14,9 +14,9 @@ import java.util.SplittableRandom;
 
 /**
  * J8. On a spring q″ + 2ζω·q′ + ω²·q = 0: q = q₀·e^(−ζωt)·(cos ω′t + (ζω/ω′)·sin ω′t), ω′ = ω·√(1 −
- * ζ²). What is off by a share ε of its period or decay is off by ε·ωt of its envelope after t. A
- * spring too stiff for the step is held to what is true of any: it gives way by mg/k at rest, is
- * never outside its envelope, and has no energy from nothing.
+ * ζ²). An error of a share ε in period or decay becomes an error of ε·ωt of the envelope after t. A
+ * spring too stiff for the step is tested for what holds for any spring: it is stretched by mg/k at
+ * rest, never leaves its envelope, and gains no energy.
  */
 final class SpringJoints {
 
@@ -28,7 +28,7 @@ final class SpringJoints {
     /** Envelopes below are not looked at, as a share of the start. */
     private static final double FADED = 1e-3;
 
-    /** What may be left of a swing that counts as rest: a tenth of the strictest limit. */
+    /** Amplitude of a swing that counts as rest: a tenth of the strictest limit. */
     private static final double AT_REST = 1e-5;
 
     private enum Kind {
@@ -119,7 +119,7 @@ final class SpringJoints {
         double decay = ratio * 2 * Math.PI * hertz;
         while (pool.time() < 1) {
             pool.step();
-            // What has √(1 − ζ²) in its denominator is bound to start with 1 at t = 0.
+            // The terms with √(1 − ζ²) in the denominator must start with 1 at t = 0.
             double envelope = Math.exp(-decay * pool.time()) / Math.sqrt(1 - ratio * ratio);
             double beyond = Math.abs(sprung.away()) / start - Math.min(1, envelope);
             trial.measure("outside of the envelope", Math.max(0, beyond), "of the start", SHARE);

@@ -29,7 +29,7 @@ final class Swings {
     /** The error of joints below which a shorter step makes no visible difference, m. */
     private static final double SOLVED = 1e-8;
 
-    /** What an observed order may lack to 2, due to terms of the next order. */
+    /** Amount by which an observed order may fall short of 2, due to terms of the next order. */
     private static final double ORDER_LACKING = 0.1;
 
     /** Steps per second, from a quarter of the game's on; the last one serves as truth. */

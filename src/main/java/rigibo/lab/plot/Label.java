@@ -1,13 +1,13 @@
 package rigibo.lab.plot;
 
 /**
- * A label that belongs to a spot.
+ * A label of a spot.
  *
- * @param words themselves
- * @param size of their letters, px
- * @param color of their letters
- * @param of what they belong to
- * @param gap least distance from there, px
- * @param reach greatest distance from there, px
+ * @param words its text
+ * @param size of the letters, px
+ * @param color of the letters
+ * @param of the spot
+ * @param gap least distance from the spot, px
+ * @param reach greatest distance from the spot, px
  */
 public record Label(String words, int size, String color, Spot of, double gap, double reach) {}

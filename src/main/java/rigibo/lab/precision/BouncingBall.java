@@ -11,8 +11,8 @@ import rigibo.lab.truth.Earth;
 import rigibo.lab.truth.Solid;
 
 /**
- * A ball falls 2 m and rebounds with e = 0.8. Truth: after the n-th impact its energy is e²ⁿ of
- * what it was, and nothing takes any in between.
+ * A ball falls 2 m and rebounds with e = 0.8. Truth: after the n-th impact it has e²ⁿ of its
+ * energy, and it loses none in between.
  */
 final class BouncingBall {
 

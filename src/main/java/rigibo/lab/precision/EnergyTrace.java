@@ -5,11 +5,11 @@ package rigibo.lab.precision;
  *
  * @param engine name
  * @param setting name
- * @param seconds when
- * @param energy that was there
- * @param byDesign that should be there: what is missing to 1 was lost by design
- * @param drift how far the first is from the second, where an impact that comes early or late by
- *     less than a step is no drift
+ * @param seconds times of the samples
+ * @param energy measured energy
+ * @param byDesign energy that should be left: the rest to 1 is lost by design
+ * @param drift difference of the two; an impact that comes early or late by less than a step is no
+ *     drift
  */
 record EnergyTrace(
         String engine,

@@ -10,10 +10,10 @@ import java.util.Map;
  *
  * @param machine its processors and system
  * @param jvm name and version of the virtual machine
- * @param flags it was started with
+ * @param flags the virtual machine's flags
  * @param commit of the engine that was measured
- * @param date when
- * @param command that makes the report again
+ * @param date of the measurement
+ * @param command that repeats the report
  */
 public record Environment(
         String machine, String jvm, String flags, String commit, String date, String command) {

@@ -10,9 +10,9 @@ import java.util.List;
  * The settings of an engine that one process runs at one problem.
  *
  * @param problem id
- * @param engine that is asked
- * @param settings at which it is, in the order they are told
- * @param patience with all of them
+ * @param engine name
+ * @param settings to run, in the order of the report
+ * @param patience the time for all of them
  */
 record Exam(String problem, Engine engine, List<Setting> settings, Patience patience) {
 

@@ -4,12 +4,12 @@ package rigibo.lab.precision;
  * The sizes of a figure, px. A wide figure that is shrunk to a phone cannot be read, so there is a
  * narrow one as well.
  *
- * @param width of all
- * @param left of the plot
- * @param right from there to the right edge
+ * @param width of the figure
+ * @param left width at the left of the plot
+ * @param right width from the plot's right end to the edge
  * @param height of the plot
  * @param words size of the letters
- * @param reach how far a label of a line may be from it
+ * @param reach largest distance of a label from its line
  */
 record FigureSize(double width, double left, double right, double height, int words, double reach) {
 

@@ -14,12 +14,12 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * What is asked of the laboratory.
+ * The order for a run of the laboratory.
  *
  * @param problems ids
- * @param extent how much of each
- * @param seed of the order in which processes are run, so that what the machine does meanwhile does
- *     not fall on the same settings always
+ * @param extent how much of each problem is run
+ * @param seed of the order of processes, so that other work of the machine does not always hit the
+ *     same settings
  * @param out directory of everything written
  */
 public record Inquiry(List<String> problems, Extent extent, long seed, Path out) {

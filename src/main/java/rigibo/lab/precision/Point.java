@@ -12,11 +12,11 @@ import java.util.Optional;
  *
  * @param problem id
  * @param engine name
- * @param setting how it was run
- * @param errors how far from the truth it ended, or why it failed
- * @param steps made, of all worlds together
- * @param work what they did, counted
- * @param timing what they took; empty where it was not measured
+ * @param setting its name
+ * @param errors errors of the run, or why it failed
+ * @param steps number of steps, of all worlds together
+ * @param work counted work of these steps
+ * @param timing times of the steps; empty if they were not measured
  */
 record Point(
         String problem,

@@ -60,7 +60,7 @@ final class PrecisionLab {
     }
 
     /**
-     * Runs what is missing.
+     * Makes the missing runs.
      *
      * @param tell is told how far it is
      * @throws IllegalStateException when a process breaks off, with what it said

@@ -31,10 +31,10 @@ final class PrecisionReport {
     /**
      * A report.
      *
-     * @param points in the order the settings are told; of an engine that is not ours the first is
-     *     at its defaults, the others are finer
-     * @param problems whose points are told, in their order; those without points are left out
-     * @param more that is to be told after the problems
+     * @param points in the order of the settings; the first of another engine is at its defaults,
+     *     its others are finer
+     * @param problems the problems to report, in their order; those without points are left out
+     * @param more sections after the problems
      */
     PrecisionReport(
             List<Point> points,

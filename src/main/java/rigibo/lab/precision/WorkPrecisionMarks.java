@@ -100,7 +100,7 @@ final class WorkPrecisionMarks {
         name(Look.of(line), line.words() + more, spots(asked.along(line)), size.reach());
     }
 
-    /** The observed order, if there is one: errors that rise and fall by turns have none. */
+    /** The observed order; none if errors rise and fall alternately. */
     private String orderAlong(Line line) {
         List<Point> points = asked.along(line);
         ObservedOrder order = ObservedOrder.of(points);

@@ -12,10 +12,10 @@ import java.util.function.Consumer;
  * A scene of one of the game's demos.
  *
  * @param name of the demo
- * @param looks how often it is looked at before chaos sets in
+ * @param looks number of samples before chaos sets in
  * @param effects that it calls for
- * @param thrust on the first body, N to the right
- * @param bodies those that move first
+ * @param thrust force on the first body, N to the right
+ * @param bodies its bodies, the moving ones first
  */
 record DemoScene(
         String name, int looks, Effects effects, double thrust, List<BodyDefinition> bodies) {

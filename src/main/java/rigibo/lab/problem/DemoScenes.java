@@ -29,9 +29,9 @@ final class DemoScenes {
     private static final int LONG = 36;
 
     /**
-     * Looks in 0.57 s: drops bounce and meet. Then one lands on others that lie, where errors of
-     * the start grow a thousandfold and the step counts: EXACT is 7 mm off at 1/60 s, 2 mm at 1/120
-     * s and 30 nm at 1/240 s.
+     * Looks in 0.57 s: drops bounce and meet. Then one lands on resting ones. There initial errors
+     * grow a thousandfold, and the length of the step matters: EXACT is 7 mm off at 1/60 s, 2 mm at
+     * 1/120 s and 30 nm at 1/240 s.
      */
     private static final int SHORT = 17;
 

@@ -12,9 +12,9 @@ import java.util.List;
 /**
  * The game's demos in their first moments. Their truth has no closed form; the reference is our own
  * EXACT at a sixteenth of the game's step. It stands for the truth as long as EXACT approaches it
- * with every halving of the step, and chaos has not set in: a start 1e-9 m beside it stays within
- * 1e-6 m of it. Tests hold both. The error is the root mean square of all distances from the
- * reference, thirty times a second, averaged over the four scenes.
+ * with every halving of the step and chaos has not set in, that is, as long as a run that starts
+ * 1e-9 m away stays within 1e-6 m. Tests hold both. The error is the root mean square of all
+ * distances from the reference, thirty times a second, averaged over the four scenes.
  *
  * <p>Only our engine is measured by it: another engine may have soft contacts by design and another
  * law of impacts with friction, so that a distance from ours would not be an error.

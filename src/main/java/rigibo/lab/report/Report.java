@@ -6,19 +6,19 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What was measured, for a terminal and for a page.
+ * The report of a measurement, for a terminal and for a page.
  *
- * @param method how, before all; may be empty
- * @param passages each a table and what is to be seen in it
+ * @param method how it was measured; may be empty
+ * @param passages tables, each with sentences about it
  */
 public record Report(String method, List<Passage> passages) {
 
     /**
      * A table with a description before it and sentences after it.
      *
-     * @param name over it, at a terminal
-     * @param title over it, on a page; empty where the report is this one table
-     * @param what it is of; may be empty
+     * @param name heading at a terminal
+     * @param title heading on a page; empty if the report is this table alone
+     * @param what the description; may be empty
      */
     public record Passage(
             String name, String title, String what, Table table, List<String> sentences) {

@@ -5,12 +5,12 @@ import rigibo.lab.plot.Drawing;
 import java.util.List;
 
 /**
- * A part of a report: what is to be seen, in words, and where.
+ * A part of a report: sentences, figures and tables.
  *
- * @param name of its files, without an ending
- * @param title over it
+ * @param name name of its files, without an ending
+ * @param title its heading
  * @param sentences before the figure
- * @param figures the wide one and the narrow one, which is for a phone; none where there are none
+ * @param figures the wide figure, and the narrow one for phones; may be empty
  * @param tables after the figure
  */
 public record Section(

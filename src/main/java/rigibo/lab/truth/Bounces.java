@@ -66,9 +66,9 @@ public final class Bounces {
      * Error of the present apex as a share of H.
      *
      * @param time s since the fall began
-     * @param leeway s by which an impact may be early or late: a flight's error is not judged by
-     *     the flight before it
-     * @param apex that the body is flying to, m above the floor
+     * @param leeway s by which an impact may be early or late, so that a flight is not compared
+     *     with the one before it
+     * @param apex apex of the present flight, m above the floor
      */
     public double apexError(double time, double leeway, double apex) {
         int most = impactsUntil(time + leeway);

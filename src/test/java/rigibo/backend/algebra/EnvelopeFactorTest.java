@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.SplittableRandom;
 
-/** What is solved is put back into its matrix, whose diagonal outweighs the rest of each row. */
+/** Solutions are put back into the matrix, whose diagonal dominates each row. */
 class EnvelopeFactorTest {
 
     /** Digits that elimination of some tens of rows loses where no pivot is small. */

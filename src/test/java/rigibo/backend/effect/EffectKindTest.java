@@ -12,7 +12,7 @@ import rigibo.backend.effect.Effect.Kind;
 import java.util.Arrays;
 import java.util.List;
 
-/** What a kind says of its effects is what their records are. */
+/** The kinds of effects agree with the records. */
 class EffectKindTest {
 
     private static Class<?> record(Kind kind) {

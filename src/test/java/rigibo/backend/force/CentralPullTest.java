@@ -32,7 +32,7 @@ class CentralPullTest {
         double pull = 3 * Math.pow(5, power);
         Instant at = pulled(13, 24, 3, power);
 
-        // Some units in the last place of what is added, and of the 1 and 2 it is added to.
+        // Some units in the last place of the sum, and of the 1 and 2 that it is added to.
         double roundOff = 1e-14 * (pull + 2);
         assertThat(at.accelerationX).isEqualTo(1 - pull * 3 / 5, within(roundOff));
         assertThat(at.accelerationY).isEqualTo(2 - pull * 4 / 5, within(roundOff));

@@ -11,7 +11,7 @@ import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.storage.Bodies;
 
-/** What an instant takes over from a body, and its forces. */
+/** The properties that an instant takes over from a body, and its forces. */
 class InstantTest {
 
     private static Instant taken(Bodies bodies) {

@@ -15,8 +15,8 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * What is the same all along a step. Numbers are small whole ones and halves: products and sums are
- * exact.
+ * Forces that are constant during a step. Numbers are small whole ones and halves: products and
+ * sums are exact.
  */
 class KernelsTest {
 

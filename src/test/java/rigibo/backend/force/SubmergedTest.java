@@ -12,7 +12,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
 
-/** What is under water, against closed forms and against sums of strips. */
+/** The submerged part of a body, compared with closed forms and with sums of strips. */
 class SubmergedTest {
 
     /** Some units in the last place of numbers about 1. */
@@ -144,7 +144,7 @@ class SubmergedTest {
         require(0, 0, 0, 0);
     }
 
-    /** What was measured before is forgotten. */
+    /** The previous measurement is forgotten. */
     @ParameterizedTest
     @ValueSource(doubles = {-1.5, -2, -100, Double.NaN})
     void nothingUnderWater(double level) {
@@ -175,7 +175,10 @@ class SubmergedTest {
         require(rectangle + half, 0, y, second);
     }
 
-    /** What is under a level and what is over it, which is under it upside down, are the whole. */
+    /**
+     * The part below a level and the part above it, which is the part below for the body upside
+     * down, add up to the whole.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {-0.9, -0.4, -0.01, 0, 0.33, 0.7, 1.1})
     void theRestOfWhatIsRoundIsAboveTheLevel(double level) {

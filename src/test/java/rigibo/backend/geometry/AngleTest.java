@@ -15,7 +15,7 @@ import java.util.Random;
 /** {@link StrictMath} is within one unit in the last place of the truth, and so are we. */
 class AngleTest {
 
-    /** Of every size from a thousandth of a radian to where doubles are far apart. */
+    /** Angles of every size, from a thousandth of a radian to where doubles are far apart. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2})
     void isWithinAUnitInTheLastPlace(long seed) {

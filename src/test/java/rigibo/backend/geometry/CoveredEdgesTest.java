@@ -57,7 +57,7 @@ class CoveredEdgesTest {
         assertThat(leads(outline, 0.5)).isEqualTo(Outline.OUT);
     }
 
-    /** What stands at the foot of a wall touches the floor and the wall, but not the corner. */
+    /** A body at the foot of a wall touches the floor and the wall, but not the corner. */
     @Test
     void aHigherNeighbourIsAWall() {
         int corner = leads(left(2), 0.5);

@@ -20,7 +20,7 @@ class ElementaryTest {
     private static final String ASKED = "rigibo.elementary.samples";
     private static final int SAMPLES = Integer.getInteger(ASKED, 10_000);
 
-    /** What is claimed of the largest error, in units in the last place. */
+    /** The largest error that the Javadoc claims, in units in the last place. */
     private enum Function {
         SIN(0.85) {
             @Override

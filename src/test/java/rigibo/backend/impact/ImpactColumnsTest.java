@@ -14,7 +14,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
-/** What an impact takes from the columns, and what it writes back. */
+/** The values that an impact reads from the columns, and those it writes back. */
 class ImpactColumnsTest {
 
     private static BodyDefinition disc(double mass, double friction, double elasticity) {

@@ -121,7 +121,8 @@ class ImpactLawTest {
     }
 
     /**
-     * What an impact beyond all bounds left in the carrier and in the law is no part of the next.
+     * An impact out of all bounds leaves nothing in the carrier or the law that the next one would
+     * use.
      */
     @Test
     void anUnboundedImpactLeavesNothingBehind() {

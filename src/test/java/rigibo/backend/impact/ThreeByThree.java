@@ -122,7 +122,7 @@ final class ThreeByThree {
         return after;
     }
 
-    /** What pushes gets the speed that is wanted, what does not has no impulse. */
+    /** Points that push reach the wanted speed; the others have no impulse. */
     private void equate(boolean[] pushing, double[] tangent) {
         double[][] a = {new double[4], new double[4], tangent};
         for (int i = 0; i < 2; i++) {

@@ -25,7 +25,7 @@ import java.util.stream.IntStream;
 /** Ties against single impacts, whose law is tested by itself, and what holds ties in bounds. */
 class TiedLimitsTest {
 
-    /** Of impulses that grew with each of 300 passes. */
+    /** Round-off of impulses that grew in each of 300 passes. */
     private static final double ROUND_OFF = 1e-9;
 
     private final FilledStorage storage =

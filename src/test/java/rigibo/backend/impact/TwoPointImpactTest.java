@@ -139,7 +139,7 @@ class TwoPointImpactTest {
                 .containsExactly(faster);
     }
 
-    /** What the law comes to, solved densely case by case; friction up to what jams. */
+    /** The law's result, solved densely case by case, with friction up to jamming. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 5})
     void isTheThreeByThreeSolution(double roughness) {
@@ -261,7 +261,7 @@ class TwoPointImpactTest {
                 .allMatch(n -> n > 100);
     }
 
-    /** What came of one impact, and whether it is what the law asks. */
+    /** The result of an impact, and whether the law allows it. */
     private record Verdict(int number, Impact before, Impact after) {
 
         /** 0: nothing closed; 1: stuck; 2: slid; 3: scaled back. */

@@ -89,7 +89,7 @@ class ContactStreamLawTest {
         return broken.or(() -> listener.hear(pool, STEPS + 2));
     }
 
-    /** Who touches, by what was told. */
+    /** The pairs that touch, according to the events. */
     private static final class Listener {
 
         /** The step that last told of two bodies. */

@@ -8,7 +8,7 @@ import rigibo.backend.setup.ImpactMode;
 
 import java.util.function.Predicate;
 
-/** What happened between the bodies of a pool in its last step. */
+/** The contacts of a pool's last step. */
 final class Contacts {
 
     private Contacts() {}

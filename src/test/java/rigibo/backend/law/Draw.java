@@ -11,7 +11,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 
-/** What scenes are made of, drawn from a seed. */
+/** The numbers of a scene, drawn from a seed. */
 final class Draw {
 
     /** Spreads neighbouring seeds, whose first draws are alike: 2⁶⁴ over the golden ratio. */

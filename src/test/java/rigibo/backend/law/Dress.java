@@ -19,7 +19,7 @@ import rigibo.backend.setup.Material;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What bodies may be, in place of sharp ones in one piece that meet all others. */
+/** Kinds of bodies other than sharp ones in one piece that collide with all others. */
 enum Dress {
     /** Capsules, and polygons with round corners. */
     ROUNDED {
@@ -138,7 +138,7 @@ enum Dress {
         }
     };
 
-    /** Of what a polygon reaches, how much is its rounding. */
+    /** Share of a polygon's reach that is its rounding. */
     private static final double ROUNDING = 0.2;
 
     /** Edges in line along each side of a loop. */

@@ -14,9 +14,9 @@ import java.util.Optional;
 import java.util.function.LongFunction;
 
 /**
- * What holds for sharp bodies in one piece that meet all others holds for bodies of other shapes
- * and kinds. Scenes and occasions differ: where bodies pass each other or lie on a shelf, fewer
- * contacts are loaded.
+ * The laws of sharp bodies in one piece that collide with all others also hold for bodies of other
+ * shapes and kinds. Scenes and occasions differ: where bodies pass each other or lie on a shelf,
+ * fewer contacts are loaded.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class DressLawTest {

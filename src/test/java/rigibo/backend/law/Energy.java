@@ -40,7 +40,7 @@ final class Energy {
         return of(pool);
     }
 
-    /** Of motion, height and springs, J. */
+    /** Energy of motion, height and springs, J. */
     static double of(Pool pool) {
         double springs = pool.joints().stream().mapToDouble(Joint::energy).sum();
         return pool.kineticEnergy() + pool.potentialEnergy() + springs;

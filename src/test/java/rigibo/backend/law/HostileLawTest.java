@@ -14,7 +14,10 @@ import rigibo.backend.setup.BodyType;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Whatever numbers a pool accepts, a step ends with numbers, and who is far away is not told. */
+/**
+ * Whatever numbers a pool accepts, a step ends with finite ones, and bodies far away are not
+ * affected.
+ */
 @Execution(ExecutionMode.CONCURRENT)
 class HostileLawTest {
 
@@ -80,7 +83,7 @@ class HostileLawTest {
         return motions;
     }
 
-    /** What is fixed stays; what is driven goes at its velocity. */
+    /** Static bodies stay; kinematic ones move at their velocity. */
     private static void requireUnmoved(
             Pool pool, List<Motion> before, List<Motion> after, String where) {
         for (int i = 0; i < before.size(); i++) {

@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.LongFunction;
 
-/** What holds for bodies that nothing joins holds for joined ones. */
+/** The laws of free bodies also hold for joined ones. */
 @Execution(ExecutionMode.CONCURRENT)
 class JointedLawTest {
 

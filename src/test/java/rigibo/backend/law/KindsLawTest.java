@@ -12,7 +12,7 @@ import rigibo.backend.effect.Sleep;
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 
-/** What holds of sleep and of edits holds for bodies of every shape and kind. */
+/** The laws of sleep and of edits hold for bodies of every shape and kind. */
 @Execution(ExecutionMode.CONCURRENT)
 class KindsLawTest {
 

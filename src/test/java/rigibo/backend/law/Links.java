@@ -20,7 +20,7 @@ final class Links {
     /** Seeds of joints begin here, apart from those of bodies. */
     private static final long SEEDS = 1_000_000;
 
-    /** Of neighbours, and of bodies with what stands. */
+    /** Probabilities of a joint between neighbours, and between a body and a static one. */
     private static final double JOINED = 0.7;
 
     private static final double HUNG = 0.15;
@@ -36,12 +36,12 @@ final class Links {
         this.kinds = kinds;
     }
 
-    /** Of all kinds; nothing drives, so that energy only gets less. */
+    /** Joints of all kinds without motors, so that energy can only decrease. */
     static RandomScene on(RandomScene scene) {
         return new Links(scene.seed(), List.of(JointKind.values())).join(scene);
     }
 
-    /** Of all kinds that know no place in the world. */
+    /** Joints of all kinds that do not depend on a place in the world. */
     static RandomScene carriedAlongOn(RandomScene scene) {
         List<JointKind> kinds = new ArrayList<>(List.of(JointKind.values()));
         kinds.removeAll(WORLDLY);
@@ -102,7 +102,7 @@ final class Links {
             return JointSettings.NONE;
         }
         JointSettings plain = JointSettings.NONE.collideConnected(draw.chance(0.3));
-        // What let bodies overlap would leave them to be pushed apart.
+        // A joint that let bodies overlap would leave them to be pushed apart.
         if (plain.collideConnected() && draw.chance(0.3)) {
             plain = plain.breaking(draw.ofAnySize(10, 1000), draw.ofAnySize(10, 1000));
         }

@@ -28,7 +28,7 @@ final class RandomEdits {
 
     private static final double HIGHEST = 8;
 
-    /** Of edits where bodies may be joined. */
+    /** Share of edits that concern joints, in scenes in which bodies may be joined. */
     private static final double JOINTS = 0.3;
 
     private final Pool pool;
@@ -193,7 +193,7 @@ final class RandomEdits {
         return "joined " + body;
     }
 
-    /** What only takes energy away: bodies that a joint let overlap stay joined. */
+    /** Edits that only take energy away; bodies that a joint let overlap stay joined. */
     private String edit(Joint joint) {
         JointKind kind = joint.kind();
         boolean bends = kind == JointKind.REVOLUTE;
@@ -212,7 +212,9 @@ final class RandomEdits {
         return "braked " + joint;
     }
 
-    /** What is joined stays, for a joint that is torn apart pulls bodies up. */
+    /**
+     * Joined bodies stay where they are, since a stretched joint would pull them and add energy.
+     */
     private String teleport(RigidBody body) {
         if (!body.joints().isEmpty()) {
             return "left " + body;

@@ -12,8 +12,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What is done to a pool step by step, drawn from a seed: each step by itself, so that a restored
- * pool is treated as the one it was taken from.
+ * Edits of a pool, drawn from a seed for each step by itself, so that a restored pool gets the same
+ * ones as the original.
  */
 public final class RandomProgram {
 

@@ -114,7 +114,10 @@ class SleepLawTest {
         return near(states(scene.finished()), asleep, asked);
     }
 
-    /** What has fallen asleep is woken and goes on without sleep: it must stay where it is. */
+    /**
+     * Bodies that have fallen asleep are woken and simulated without sleep: they must stay in
+     * place.
+     */
     static Optional<String> stillWithoutSleep(RandomScene scene, Asked asked) {
         Pool pool = withSleep(scene).finished();
         if (!isAsleep(pool)) {

@@ -13,7 +13,7 @@ import rigibo.backend.setup.Accuracy;
 import java.util.Optional;
 
 /**
- * Whoever looks at a scene in another way sees the same happen.
+ * A scene seen from another frame of reference does the same.
  *
  * <p>Every impact multiplies what two runs differ by, by about the flight before it over the size
  * of the bodies, and much more where they graze. So where round-off differs at all, only a scene's

@@ -26,7 +26,7 @@ import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Material;
 import rigibo.backend.setup.SolveMethod;
 
-/** What moves is solved with so much work for each of its rows, however many there are. */
+/** The work for moving bodies is bounded for each of their rows, however many there are. */
 @Execution(ExecutionMode.CONCURRENT)
 class WorkLawTest {
 

@@ -169,7 +169,7 @@ class PileClassifierTest {
         assertThat(isPiled()).as("ends").isFalse();
     }
 
-    /** What is deeper than it would ever rest is pushed out, whatever it does. */
+    /** A pair deeper in overlap than any pair at rest is pushed apart, however it moves. */
     @Test
     void deepOverlapIsOfThePile() {
         bodies.velocityY[box] = 5;

@@ -100,7 +100,7 @@ class SleepingTest {
         assertThat(pile.data.roster.isStale).isTrue();
     }
 
-    /** Whatever residue of motion is left is gone: it would come back on waking. */
+    /** Residual motion is removed, since it would come back on waking. */
     @Test
     void whatFallsAsleepStandsStill() {
         rest(STEPS - 1);

@@ -97,7 +97,7 @@ class SteadyWithoutTest {
         requireAwake(wakes, beam, pillar);
     }
 
-    /** What is not seen scales with the smallest width. */
+    /** The tolerance scales with the smallest width. */
     @ParameterizedTest
     @CsvSource({"2, false", "0.5, true"})
     void theSlackScalesWithTheBeam(double width, boolean wakes) {
@@ -275,7 +275,7 @@ class SteadyWithoutTest {
         requireAwake(false, beam, apart);
     }
 
-    /** What is near a beam and does not touch it is no support, either. */
+    /** Nor is a body a support that is near a beam without touching it. */
     @Test
     void whatOnlyComesNearCarriesNothing() {
         build(0.2, 0.5);

@@ -16,7 +16,7 @@ import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Pairs;
 
-/** Who is woken by what comes to rest on it, or by what a step brings near. */
+/** Sleepers woken by a body that comes to rest on them, or that a step brings near. */
 class WakingIntoPilesTest {
 
     private static final double G = 8;

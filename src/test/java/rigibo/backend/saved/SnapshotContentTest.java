@@ -41,7 +41,7 @@ class SnapshotContentTest {
         return pool;
     }
 
-    /** Whatever bytes it holds, it is refused in words or taken for a pool that can step. */
+    /** A snapshot of any bytes is refused with a message, or restored to a pool that can step. */
     @Test
     void anyContentIsRefusedOrGoesOn() {
         byte[] snapshot = heap().snapshot();

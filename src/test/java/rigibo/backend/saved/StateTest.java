@@ -23,7 +23,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What the tables call saved is written and hashed, and nothing else. */
+/** Columns with the role SAVED are written and hashed, and no others. */
 class StateTest {
 
     private static final int BODY = 1;

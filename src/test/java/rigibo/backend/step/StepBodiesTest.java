@@ -19,7 +19,7 @@ import rigibo.backend.storage.Quarantine;
 
 import java.util.Arrays;
 
-/** What a step does for every body that moves, where bodies turn and where they do not. */
+/** The work of a step on every moving body, with and without rotation. */
 class StepBodiesTest {
 
     private static final double DT = 0.25;

@@ -77,7 +77,10 @@ class StepOfContactsTest {
         assertThat(storage.pairs.points[pair] > 0).isEqualTo(mode != ImpactMode.DISCRETE);
     }
 
-    /** What is struck in a pile goes where nothing foresaw: its fixture is there at the end. */
+    /**
+     * A body struck in a pile moves farther than predicted; at the end of the step its fixture has
+     * followed.
+     */
     @Test
     void fixturesCoverWhereAllIsAtTheEnd() {
         FilledStorage storage = storage(ImpactMode.EVENTS);

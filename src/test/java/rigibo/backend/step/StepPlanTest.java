@@ -34,7 +34,7 @@ import rigibo.backend.storage.DataStorage;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What is declared is a part of the step, and nothing else is. */
+/** A step consists of the declared effects and nothing else. */
 class StepPlanTest {
 
     private static final Gravity GRAVITY = new Gravity(0, -8);
@@ -169,7 +169,7 @@ class StepPlanTest {
                 .orElseThrow();
     }
 
-    /** What a caller's function does to a sleeper nobody would notice. */
+    /** A sleeper would not notice a change of the caller's function. */
     @Test
     void nothingSleepsWhereAFunctionActs() {
         assertThat(parts(new Contacts(), new Sleep())).contains(SLEEP);

@@ -46,7 +46,9 @@ public class ColumnTableTest {
 
     private static final String OF_A_STEP = "written in every step before it is read";
 
-    /** What lasts in other fields than columns, and why nothing is lost with it. */
+    /**
+     * Fields besides columns that last from step to step, and why snapshots lose nothing by them.
+     */
     private static final Map<String, String> NO_COLUMNS =
             Map.ofEntries(
                     Map.entry("Bodies.slots", "saved beside the table; State.visitSlots"),

@@ -15,7 +15,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** What the tables call scratch is written in a step before it is read. */
+/** Columns with the role SCRATCH are written in a step before they are read. */
 class ScratchLawTest {
 
     private static final int PROGRAMS = 24;

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.UnaryOperator;
 
-/** What a table shows, and something to be done to each column. */
+/** Visits the columns of a table and does something to each. */
 public final class ShownColumns implements ColumnVisitor {
 
     /** By name, in the order of the table; twice the same name is refused. */
@@ -38,7 +38,7 @@ public final class ShownColumns implements ColumnVisitor {
         return shown.all;
     }
 
-    /** Who answers another array for each of those there are. */
+    /** A visitor that replaces every column that exists. */
     static ShownColumns answering(UnaryOperator<Object> answer) {
         return new ShownColumns(answer);
     }

@@ -13,7 +13,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** Whoever reads a picture reads one whole picture, and the maker finds one to write on. */
+/** Readers always read one whole picture, and the maker always finds a free one. */
 @Timeout(60)
 class ExchangeTest {
 
@@ -178,7 +178,7 @@ class ExchangeTest {
         assertThatIllegalStateException()
                 .isThrownBy(lease::close)
                 .withMessageContaining("was closed");
-        // What was refused gave nothing back: the picture is free, and no other one.
+        // A refused call gives nothing back: this picture is free, and no other.
         publish(2);
         publish(3);
         assertThat(exchange.pictures()).isEqualTo(2);

@@ -66,7 +66,7 @@ class RehearsedTeamTest {
         assertThat(team.takeSpared()).isEqualTo(7);
     }
 
-    /** What one worker does alone between two splits spares nothing. */
+    /** Work that one worker does alone between two splits saves no time. */
     @Test
     void onlySharedWorkIsSpared() {
         Team team = new RehearsedTeam(4, () -> now);

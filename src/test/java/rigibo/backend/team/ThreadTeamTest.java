@@ -19,7 +19,8 @@ class ThreadTeamTest {
     private static final int PIECES = 2_000;
 
     /**
-     * Whoever comes in time takes what is left, and nobody is still at it when the call returns.
+     * Threads that come in time take the remaining pieces, and none is still working when the call
+     * returns.
      */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 8})

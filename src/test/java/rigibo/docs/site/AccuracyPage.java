@@ -28,19 +28,19 @@ final class AccuracyPage {
     private static final Pattern PROBLEM =
             Pattern.compile("^### ((R\\d+), .*)\\n((?:(?!^#).*\\n)*)", Pattern.MULTILINE);
 
-    /** What an error of a problem is. */
+    /** The line that names a problem's error. */
     private static final Pattern ERROR = Pattern.compile("^Error: (.*)\\.$", Pattern.MULTILINE);
 
     private static final String MEASURED = "What was measured";
 
     private final List<MatchResult> problems;
 
-    /** Of the page's Markdown. */
+    /** The page made of its Markdown. */
     AccuracyPage(String text) {
         problems = PROBLEM.matcher(text).results().toList();
     }
 
-    /** What was measured, by the problem's short name. */
+    /** The measurements, by the problem's short name. */
     Map<String, List<Reading>> readings() {
         Map<String, List<Reading>> all = new LinkedHashMap<>();
         problems.forEach(found -> all.put(found.group(2), Reading.in(found.group(3))));

@@ -37,7 +37,7 @@ final class ExhibitFigure implements DebugDraw, Sketch {
     /** Corners of what is drawn in place of a disc. */
     private static final int AROUND = 40;
 
-    /** Of a body's colour, what its rim keeps, and what a body keeps that is asleep. */
+    /** Share of a body's colour that its rim keeps, and share that a sleeping body keeps. */
     private static final double RIM_SHADE = 0.55;
 
     private static final double ASLEEP_SHADE = 0.75;

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** What all pages have in common: head, the way to the other pages, foot. */
+/** The common parts of all pages: head, links to the other pages, foot. */
 final class Layout {
 
     /** From so many sections on, a page begins with a list of them. */

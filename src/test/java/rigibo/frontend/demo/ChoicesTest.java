@@ -18,7 +18,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** What controls are set to, carried from one demo to another by the text of a link. */
+/** Links carry the settings of controls from one demo to another. */
 class ChoicesTest {
 
     static Stream<Function<Words, Demo>> demos() {

@@ -21,7 +21,7 @@ class DemoControlsTest {
 
     private static final Pattern STEPS = Pattern.compile(".*/step · .*");
 
-    /** What no test here opened is folded, so that tabs and keys have something to do. */
+    /** Plates begin folded, so that tabs and keys have something to do. */
     private static Scene open(int demo) {
         return Demos.entries().get(demo).open().apply(new RecordingDirector());
     }

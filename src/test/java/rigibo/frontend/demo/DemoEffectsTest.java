@@ -88,7 +88,9 @@ class DemoEffectsTest {
                 .containsAll(declared(maker));
     }
 
-    /** Whatever is switched, the demo goes on, can be read, and R brings its own set back. */
+    /**
+     * Whichever effects are switched, the demo goes on and can be read, and R restores its own set.
+     */
     @ParameterizedTest
     @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void everyEffectCanBeTriedAndRRestoresTheSet(Function<Words, Demo> maker) {

@@ -23,10 +23,10 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** Demos in a window that is held in a hand, used by their buttons. */
+/** Demos in a handheld window, used by their buttons. */
 class DemoInHandTest {
 
-    /** Between the points at which is asked whether a plate is there, px. */
+    /** Distance between the points that are tested for a plate, px. */
     private static final int PITCH = 8;
 
     static Stream<Arguments> demos() {
@@ -88,7 +88,7 @@ class DemoInHandTest {
                 .isEmpty();
     }
 
-    /** What is written into the scene. */
+    /** The texts written into the scene. */
     private static List<String> signs(RecordingCanvas canvas) {
         return canvas.texts().stream().filter(text -> isInScene(canvas, text)).toList();
     }
@@ -160,7 +160,7 @@ class DemoInHandTest {
         }
     }
 
-    /** Who does not see a demo turns its controls by name. */
+    /** A player who does not see a demo uses its controls by name. */
     @Test
     void whatCanBeUsedHasANameWhereItIs() {
         for (Layout layout : Legibility.HANDS) {

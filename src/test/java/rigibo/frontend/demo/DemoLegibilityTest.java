@@ -18,7 +18,7 @@ import rigibo.frontend.scene.Settings;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Whatever a demo shows can be read. */
+/** All texts of a demo can be read. */
 class DemoLegibilityTest {
 
     private static final int SECOND = 60;

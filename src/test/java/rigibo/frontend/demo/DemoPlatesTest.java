@@ -20,7 +20,7 @@ import java.util.function.Function;
 /** Where the plates of demos are in windows of all shapes. */
 class DemoPlatesTest {
 
-    /** Between the points at which is asked whether a plate is there, px. */
+    /** Distance between the points that are tested for a plate, px. */
     private static final int PITCH = 4;
 
     private static final Layout COLUMN = Layout.of(1024, 768, 1).withColumns();
@@ -56,7 +56,7 @@ class DemoPlatesTest {
         scene.pointerMoved(-1000, -1000);
     }
 
-    /** A quarter is what is allowed; a plate that is opened may cover more. */
+    /** Plates may cover a quarter; a plate that was opened may cover more. */
     @ParameterizedTest
     @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void coverAQuarterOfTheSceneAtMostUntilTheyAreOpened(Function<Words, Demo> maker) {
@@ -81,7 +81,7 @@ class DemoPlatesTest {
         scene.closed();
     }
 
-    /** What is still covered is what the demo itself draws, as flags. */
+    /** Only things that the demo itself draws, such as flags, may still be covered. */
     @ParameterizedTest
     @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void coverNothingOfTheSceneInWideWindows(Function<Words, Demo> maker) {

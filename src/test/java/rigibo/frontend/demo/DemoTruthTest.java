@@ -12,7 +12,7 @@ import rigibo.frontend.scene.widget.Slider;
 import rigibo.frontend.scene.widget.Toggle;
 import rigibo.frontend.scene.widget.Widget;
 
-/** What the demos predict is what the pool does, at whatever their controls are set to. */
+/** The pool does what the demos predict, at all settings of their controls. */
 class DemoTruthTest {
 
     private static final double STEP = 1.0 / 60;

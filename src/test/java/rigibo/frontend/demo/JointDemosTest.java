@@ -16,7 +16,7 @@ import rigibo.frontend.scene.widget.Choice;
 import rigibo.frontend.scene.widget.Slider;
 import rigibo.frontend.scene.widget.Widget;
 
-/** What the pendulum and the car predict is what the pool does. */
+/** The pool does what the pendulum and the car predict. */
 class JointDemosTest {
 
     private static final double STEP = 1.0 / 60;
@@ -112,7 +112,7 @@ class JointDemosTest {
         assertThat(demo.hang().stretch()).isLessThan(1e-3);
     }
 
-    /** What is switched off and on again hangs anew. */
+    /** Switching off and on again hangs the pendulum anew. */
     @Test
     void whatWasTakenApartIsHungUpAgain() {
         for (Demo demo : new Demo[] {new PendulumDemo(words), new CarDemo(words)}) {

@@ -22,7 +22,9 @@ import rigibo.frontend.scene.Words;
 import java.util.List;
 import java.util.function.Function;
 
-/** What no demo calls for changes nothing in any of them, as long as it does nothing. */
+/**
+ * An effect that no demo calls for changes nothing in any of them while its parameters are neutral.
+ */
 class NeutralInDemosTest {
 
     private static final double STEP = 1.0 / 60;

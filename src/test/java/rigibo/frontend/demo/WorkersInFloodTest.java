@@ -20,7 +20,7 @@ import rigibo.frontend.scene.widget.Widget;
 
 import java.util.List;
 
-/** The flood's switch of workers, and what it tells of them. */
+/** The flood's switch for workers, and the figures it shows. */
 class WorkersInFloodTest {
 
     /** Above it a step of one worker no longer fits into a frame. */

@@ -70,7 +70,7 @@ class BrokenAssetsTest {
         assertToldAs("fonts/JetBrainsMono-Medium.ttf", "is no font");
     }
 
-    /** What draws text would follow an offset to nowhere, and end the process. */
+    /** The text renderer would follow an invalid offset and end the process. */
     @Test
     void aFontThatEndsEarly() throws IOException {
         Path font = place("fonts/Quicksand-Bold.ttf");

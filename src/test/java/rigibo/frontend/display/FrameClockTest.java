@@ -21,7 +21,7 @@ class FrameClockTest {
     private int steps;
     private int mostInATurn;
 
-    /** As the loop does: what comes before the steps, steps, a picture, the wait. */
+    /** Makes a turn as the loop does: input, steps, a picture, the wait. */
     private void turn(long input, long step, long picture) {
         now += input;
         int before = steps;
@@ -34,7 +34,7 @@ class FrameClockTest {
         clock.awaitTurn();
     }
 
-    /** Turns for so many seconds; simulated time as a share of them. */
+    /** Makes turns for a number of seconds; returns the simulated time as a share of them. */
     private double play(double seconds, long step, long picture) {
         int before = steps;
         long start = now;
@@ -51,7 +51,9 @@ class FrameClockTest {
         assertThat(mostInATurn).isEqualTo(1);
     }
 
-    /** Whoever cannot wait is called with each picture of a monitor, a little early or late. */
+    /**
+     * A loop that cannot wait is called for each picture of the monitor, a little early or late.
+     */
     private double playWithPicturesOf(int rate) {
         int before = steps;
         long start = now;
@@ -148,7 +150,7 @@ class FrameClockTest {
             turn(0, MILLI / 10, 95 * MILLI);
         }
         double due = (now - start) * FrameClock.RATE / (double) SECOND;
-        // What the last picture put off is not made yet.
+        // Steps that the last picture postponed are not made yet.
         assertThat(due - (steps - before)).isBetween(0.0, 95 / 1000.0 * FrameClock.RATE + 1);
         // A turn that is late by less than a step is forgiven 0.5 % of one.
         assertThat(clock.pace()).isGreaterThan(0.995);

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 
-/** What a hand does with a gamepad, without one. */
+/** Simulates the use of a gamepad without a real one. */
 class GamepadTest {
 
     private final List<GamepadButton> presses = new ArrayList<>();

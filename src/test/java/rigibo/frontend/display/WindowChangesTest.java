@@ -17,7 +17,7 @@ class WindowChangesTest {
 
     private static final int CHANGES = 50;
 
-    /** Of the heap in MB: a window's sheets alone are as large. */
+    /** Growth of the heap that counts as a leak, MB; the textures of one window are as large. */
     private static final double MOST_GROWTH = 4;
 
     /** Draws a little and asks for the next, until as many were shown. */

@@ -10,7 +10,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Convex;
 import rigibo.backend.geometry.Polygon;
 
-/** Whatever is convex is drawn as a disc, a box or another polygon. */
+/** Every convex shape is drawn as a disc, a box or another polygon. */
 class FigureTest {
 
     private static Figure of(Convex shape) {

@@ -32,10 +32,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The editor in a window that is held in a hand, used by fingers alone. */
+/** The editor in a handheld window, used by fingers alone. */
 class EditorInHandTest {
 
-    /** Of the levels, this one after the other is enough. */
+    /** Every n-th level is enough. */
     private static final int EVERY = 7;
 
     private static final List<String> TABS = List.of("build", "fields", "effects", "more");
@@ -198,7 +198,7 @@ class EditorInHandTest {
         }
     }
 
-    /** What a finger can do, from an empty level to a test and back. */
+    /** Fingers can do everything, from an empty level to a test and back. */
     @Test
     void aLevelOfAHingeAndARopeIsMadeByTouches() {
         for (Layout hand : Legibility.HANDS) {

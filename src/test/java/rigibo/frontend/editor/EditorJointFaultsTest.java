@@ -36,10 +36,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** What is wrong with joints, and what is said of them, in every language. */
+/** Faults of joints, and the sentences about them, in every language. */
 class EditorJointFaultsTest {
 
-    /** What an icon and margins leave of a line among the problems, px. */
+    /** Width that an icon and margins leave for a line of the list of problems, px. */
     private static final double ROOM = View.PROBLEMS.width() - 16 - 22 - 8;
 
     /** Of the two lines in which a fault is told, each short of a word, px. */

@@ -65,7 +65,7 @@ class EditorJointsTest {
         assertThat(author.draft().at("/joints")).hasSize(1);
     }
 
-    /** What hangs on the backdrop hangs on a hook there, and a motor drives it, not the hook. */
+    /** A body on the backdrop hangs on a hook; a motor drives the body, not the hook. */
     @ParameterizedTest
     @EnumSource(LevelJoint.Type.class)
     void theBackdropGetsAHook(LevelJoint.Type type) {

@@ -27,7 +27,7 @@ import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Whatever the editor shows can be read, in every language. */
+/** All texts of the editor can be read, in every language. */
 class EditorLegibilityTest {
 
     /** A language, and a level in it. */

@@ -22,7 +22,7 @@ import rigibo.frontend.scene.Legibility;
 
 import java.util.List;
 
-/** What a click does in play is chosen by the pointer, and makes a level without errors. */
+/** An author chooses with the pointer what a click does in play; the level has no errors. */
 class EditorVerbsTest {
 
     /** Distance from the middle of a stepper's value to its plus, px. */

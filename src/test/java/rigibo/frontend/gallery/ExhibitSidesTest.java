@@ -24,7 +24,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** What stands beside an exhibit: its source, the time of a frame, its ghost. */
+/** The plates beside an exhibit: its source, the time of a frame, its ghost. */
 class ExhibitSidesTest {
 
     private static final Path HOME = Path.of(System.getProperty("rigibo.home", ""));

@@ -107,7 +107,7 @@ class GalleryTest {
         assertThat(RecordingCanvas.of(scene).isUnderPanel(Scene.WIDTH / 2.0, 50)).isFalse();
     }
 
-    /** Whatever it does by itself it does the same way again: no clock and no chance is in it. */
+    /** Every exhibit runs the same way again: it uses no clock and no random number. */
     @ParameterizedTest
     @MethodSource("exhibits")
     void goesTheSameWayEachTime(Found found) {

@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** What a menu lists, with scenes that only have names. */
+/** Entries of a menu whose scenes only have names. */
 final class Entries {
 
     static final long HASH = 17;
@@ -44,12 +44,12 @@ final class Entries {
                 director -> new Named("level" + number));
     }
 
-    /** Of the first level a run was kept. */
+    /** A best run was kept for the first level. */
     private static Optional<Scene> kept(int number) {
         return number == 0 ? Optional.of(new Named("run of level0")) : Optional.empty();
     }
 
-    /** What leads to levels that are made by chance. */
+    /** The entries of levels made by chance. */
     static List<SceneEntry> made() {
         return Stream.of("daily", "endless")
                 .map(name -> SceneEntry.of(name, director -> new Named(name)))

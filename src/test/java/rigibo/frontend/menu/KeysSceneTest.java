@@ -53,7 +53,7 @@ class KeysSceneTest {
         for (Key kept : new Key[] {Key.ENTER, Key.M, Key.UP, Key.DIGIT_1}) {
             scene.keyPressed(kept);
             assertThat(RecordingCanvas.of(scene).texts())
-                    .contains("This key always does what it does. Choose another one.");
+                    .contains("This key cannot be changed. Choose another one.");
         }
         assertThat(director.settings().keys()).isEqualTo(KeyBindings.FIRST);
         scene.keyPressed(Key.X);

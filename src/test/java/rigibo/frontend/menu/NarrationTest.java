@@ -16,7 +16,10 @@ import rigibo.frontend.scene.Settings;
 
 import java.time.LocalDate;
 
-/** What menu, levels and settings tell a player who does not see them, and what can be pressed. */
+/**
+ * What the menu, the levels and the settings tell a player who does not see them, and which
+ * controls they name.
+ */
 class NarrationTest {
 
     private static final double ROUND_OFF = 1e-9;

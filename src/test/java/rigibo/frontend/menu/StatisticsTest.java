@@ -19,7 +19,7 @@ import java.time.LocalDate;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 
-/** What the page of statistics tells, and how days in a row are counted. */
+/** The page of statistics, and how it counts days in a row. */
 class StatisticsTest {
 
     private static final LocalDate TODAY = LocalDate.of(2026, 11, 27);

@@ -46,7 +46,7 @@ final class OtherGame implements AutoCloseable {
         to.println(what);
     }
 
-    /** Waits until it has done what it was told, and what it answers. */
+    /** Waits until the other game has followed an order, and returns its answer. */
     String done() throws IOException {
         return from.readLine();
     }

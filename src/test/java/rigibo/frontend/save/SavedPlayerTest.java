@@ -24,7 +24,7 @@ import java.time.LocalDate;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Whatever happens to the files, nothing of the player's is lost without a word. */
+/** Whatever happens to the files, no data of the player is lost silently. */
 class SavedPlayerTest {
 
     private static final Progress ONE = Progress.none().solved("tilt", 7, 2);

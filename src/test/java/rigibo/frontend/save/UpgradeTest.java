@@ -33,10 +33,10 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * What builds of 0.1.0-SNAPSHOT wrote is read. Each folder of {@code rigibo/upgrade} is a player's
- * home as the build of that day left it, with the levels of that day: of the 22nd before replays
- * said their revision, of the 27th before there were days, stars and totals, of the 28th the last
- * before 0.2.0.
+ * Files written by builds of 0.1.0-SNAPSHOT can be read. Each folder of {@code rigibo/upgrade} is a
+ * player's home as the build of that day left it, with the levels of that day: of the 22nd before
+ * replays said their revision, of the 27th before there were days, stars and totals, of the 28th
+ * the last before 0.2.0.
  */
 class UpgradeTest {
 

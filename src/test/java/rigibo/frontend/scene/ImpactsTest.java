@@ -14,7 +14,7 @@ import rigibo.backend.setup.Material;
 import java.util.HashMap;
 import java.util.Map;
 
-/** What meets is heard, what rests is not. */
+/** Impacts are heard, resting contacts are not. */
 class ImpactsTest {
 
     private static final double STEP = 1.0 / 60;

@@ -5,13 +5,13 @@ import rigibo.frontend.scene.RecordingCanvas.Mark;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What is wrong with the texts of a picture. */
+/** Finds faults in the texts of a picture. */
 public final class Legibility {
 
     /** The smallest text that everyone can read, px of the screen. */
     private static final double SMALLEST = 16;
 
-    /** In a hand, which is nearer to the eyes. */
+    /** In a handheld window, which is nearer to the eyes. */
     private static final double SMALLEST_IN_HAND = 14;
 
     private static final double ROUND_OFF = 1e-9;
@@ -31,7 +31,7 @@ public final class Legibility {
 
     private Legibility() {}
 
-    /** One sentence for each fault of a scene in a window in a hand. */
+    /** One sentence for each fault of a scene in a handheld window. */
     public static List<String> faultsInHand(Scene scene) {
         List<String> faults = new ArrayList<>();
         for (Layout layout : hands(scene)) {

@@ -19,7 +19,7 @@ public final class RecordingCanvas implements Canvas {
     /** The colours of plates that can be pressed. */
     private static final Set<Color> LIT = Set.of(Color.PANEL_LIT, Color.BRASS);
 
-    /** What is not so far from a middle is in it, px. */
+    /** Distance from a middle up to which a point counts as on it, px. */
     private static final double MIDDLE = 1;
 
     /** A panel, or a text as wide as it is drawn and as high as its size, in logical pixels. */
@@ -103,12 +103,12 @@ public final class RecordingCanvas implements Canvas {
         this.layout = layout;
     }
 
-    /** What a scene draws now. */
+    /** Records what a scene draws now. */
     public static RecordingCanvas of(Scene scene) {
         return of(scene, Layout.ALONE);
     }
 
-    /** What a scene draws now in a window of another shape or size. */
+    /** Records what a scene draws now in a window of another shape or size. */
     public static RecordingCanvas of(Scene scene, Layout layout) {
         RecordingCanvas canvas = new RecordingCanvas(layout);
         scene.draw(canvas);

@@ -13,16 +13,16 @@ public final class RecordingDirector implements Director {
     /** The scenes that were to be shown, in their order. */
     public final List<Scene> shown = new ArrayList<>();
 
-    /** What was to be heard. */
+    /** The sounds that were asked for. */
     public final RecordingSounds sounds = new RecordingSounds();
 
-    /** What was put on the clipboard. */
+    /** The texts put on the clipboard. */
     public final List<String> copied = new ArrayList<>();
 
-    /** What was said for a moment. */
+    /** The messages shown for a moment. */
     public final List<String> said = new ArrayList<>();
 
-    /** What else was asked for: menu, levels, quit, paste. */
+    /** The other requests: menu, levels, quit, paste. */
     public final List<String> asked = new ArrayList<>();
 
     /** Where solved runs are kept. */

@@ -9,7 +9,7 @@ public final class RecordingNarrator implements Narrator {
     private final List<Control> controls = new ArrayList<>();
     private final List<String> said = new ArrayList<>();
 
-    /** What a scene says now. */
+    /** Records what a scene says now. */
     public static RecordingNarrator of(Scene scene) {
         RecordingNarrator narrator = new RecordingNarrator();
         scene.describe(narrator);

@@ -18,7 +18,7 @@ import rigibo.frontend.scene.Skin;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 
-/** What OpenAL itself makes of it, on its device that plays into memory. */
+/** The mix that OpenAL itself makes, on its device that plays into memory. */
 class EnsembleTest {
 
     private static final int FRAMES_PER_TURN = Sample.RATE / 60;
@@ -79,7 +79,7 @@ class EnsembleTest {
         for (Skin skin : Skin.values()) {
             ensemble.knock(skin, 0.8, 500);
             assertThat(turns(6)).as("%s", skin).isGreaterThan(0.02f);
-            // Of the longest sample 1.5 s are kept.
+            // The longest sample is cut to 1.5 s.
             turns(110);
             assertThat(turns(6)).as("%s", skin).isLessThan(SILENT);
         }

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-/** What rolls is heard while it rolls. */
+/** Rolling bodies are heard while they roll. */
 class RollingTest {
 
     private final Rolling rolling = new Rolling();

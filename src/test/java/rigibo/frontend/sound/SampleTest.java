@@ -13,7 +13,7 @@ import rigibo.frontend.scene.Skin;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What is made sounds as it was asked. */
+/** Samples have the pitch, length and loudness that were asked for. */
 class SampleTest {
 
     private static List<Sample> finite() {

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** What is composed from a seed. */
+/** The score composed from a seed. */
 class ScoreTest {
 
     /** About ten minutes. */

@@ -12,7 +12,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What was found is found again. */
+/** Results that were kept are found again. */
 class KeptTest {
 
     @TempDir private Path directory;

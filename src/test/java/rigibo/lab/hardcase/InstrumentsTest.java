@@ -15,7 +15,7 @@ import rigibo.backend.geometry.Shape;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Bounces;
 
-/** What judges the engine is judged itself. */
+/** Tests of the instruments that judge the engine. */
 class InstrumentsTest {
 
     private static final double CLOSE = 1e-12;

@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What a run of a case came to is kept, and told in the order of the list. */
+/** The result of a case's run is kept, and reported in the order of the list. */
 class MarginsTest {
 
     private static final Cases CASES =

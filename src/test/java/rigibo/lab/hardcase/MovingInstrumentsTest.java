@@ -16,7 +16,7 @@ import rigibo.lab.truth.Earth;
 
 import java.util.List;
 
-/** What judges scenes in which much moves is judged itself. */
+/** Tests of the instruments that judge scenes with much motion. */
 class MovingInstrumentsTest {
 
     private static final double CLOSE = 1e-12;

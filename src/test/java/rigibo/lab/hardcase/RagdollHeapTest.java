@@ -17,7 +17,7 @@ import java.util.List;
 class RagdollHeapTest {
 
     /**
-     * Widths. A limb that a blow makes spin at 80 rad/s about its hinge turns by a third of a
+     * Widths. A limb that an impact makes spin at 80 rad/s about its hinge turns by a third of a
      * radian in a substep, and its end leaves its tangent by its length of three widths times the
      * square of that, over two: 0.17.
      */

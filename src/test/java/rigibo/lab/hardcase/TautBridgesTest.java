@@ -7,7 +7,9 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What falls on bridges as long as their span: not all of the case's own limits are reached. */
+/**
+ * Bodies that fall on bridges as long as their span; not all limits of the case itself are reached.
+ */
 @Execution(ExecutionMode.CONCURRENT)
 class TautBridgesTest {
 

@@ -64,7 +64,7 @@ final class FakePoints {
         return new Timing(10, cpu, 0.98 * cpu, 1.03 * cpu, 1.01 * cpu, 0);
     }
 
-    /** Of three problems. */
+    /** Points of three problems. */
     static List<Point> all() {
         FakePoints fake = new FakePoints();
         fake.flight();

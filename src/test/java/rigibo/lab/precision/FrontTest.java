@@ -53,7 +53,10 @@ class FrontTest {
         assertThat(new Front(List.of(exact, rounded)).points()).containsExactly(rounded);
     }
 
-    /** What nobody needs may still be bought: 1e-11 is less than 1e-10, and costs more. */
+    /**
+     * The front keeps a smaller error that costs more, even one that nobody needs: 1e-11 after
+     * 1e-10.
+     */
     @Test
     void errorsAboveRoundingAreComparedAsTheyAre() {
         Point exact = point(1e-11, 3);

@@ -14,7 +14,7 @@ import rigibo.lab.engine.World;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What the demos are compared with stands for the truth. */
+/** The reference of the demos stands for the truth. */
 class DemosTest {
 
     /** Round-off of a second's steps is far below, m. */

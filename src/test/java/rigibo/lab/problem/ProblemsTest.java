@@ -14,12 +14,12 @@ import rigibo.lab.engine.Setting;
 import java.util.List;
 import java.util.Set;
 
-/** What holds for every reference problem. */
+/** Properties of every reference problem. */
 class ProblemsTest {
 
     private static final Engine ENGINE = new RigiBoEngine();
 
-    /** Whose errors at the faster presets are beyond what EXACT promises. */
+    /** Problems whose errors at the faster presets exceed the limit of EXACT. */
     private static final Set<String> TOLD_APART = Set.of("R3", "R4", "R13", "R17", "R19");
 
     /** Those that do not take minutes; small ones of the crowds are in CrowdProblemTest. */

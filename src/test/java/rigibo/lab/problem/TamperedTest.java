@@ -32,7 +32,7 @@ class TamperedTest {
         assertThat(errors(id, 1).main()).isLessThan(least);
     }
 
-    /** What presses bodies into each other is seen as overlap. */
+    /** An engine that presses bodies into each other shows overlap. */
     @ParameterizedTest
     @CsvSource({"R11, 4e-3", "R12, 2"})
     void onePerCentTooLittleIsAnOverlap(String id, double least) {

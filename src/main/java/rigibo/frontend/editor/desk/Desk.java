@@ -114,17 +114,17 @@ public final class Desk {
         return pixels / camera.scale();
     }
 
-    /** Sets how large what is touched must be, px; 0 for a pointer, which hits what it means. */
+    /** Sets the least size of things to touch, px; 0 for a mouse, which points exactly. */
     public void finger(double least) {
         finger = least;
     }
 
-    /** Whether fingers hold what lies on the desk. */
+    /** Whether the desk is used by fingers. */
     public boolean isInHand() {
         return finger > 0;
     }
 
-    /** How near the pointer must come to something, m: so many px, or half a finger. */
+    /** How near the pointer must come to a thing, m: the given number of px, or half a finger. */
     public double reach(double pixels) {
         return metres(Math.max(pixels, finger / 2));
     }

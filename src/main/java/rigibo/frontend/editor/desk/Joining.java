@@ -54,10 +54,10 @@ public final class Joining {
     }
 
     /**
-     * What a joint is to hold.
+     * One end of a joint in the making.
      *
-     * @param item nothing for the backdrop, where a hook will be
-     * @param at m
+     * @param item the item to hold; empty for the backdrop, which gets a hook
+     * @param at the place, m
      */
     public record End(Optional<Item> item, Point at) {}
 

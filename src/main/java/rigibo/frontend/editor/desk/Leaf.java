@@ -3,17 +3,17 @@ package rigibo.frontend.editor.desk;
 import java.util.List;
 import java.util.Locale;
 
-/** The leaves of the fields at the right, of which one is turned to. */
+/** The leaves of the fields at the right, one of which is shown. */
 public enum Leaf {
     /** Place and outline of a body. */
     SHAPE,
-    /** What a body does in play: clicks, belts, fans, magnets, paths. */
+    /** The behaviour of a body in play: clicks, belts, fans, magnets, paths. */
     PLAY,
-    /** What a body is made of, and how it moves at the start. */
+    /** The material of a body, and its motion at the start. */
     MATTER,
     /** Words and world of the level. */
     LEVEL,
-    /** What wins, and how fast. */
+    /** How the level is won, and the clicks for each medal. */
     RULES,
     /** The secret star. */
     STAR;

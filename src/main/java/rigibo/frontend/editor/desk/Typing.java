@@ -30,7 +30,7 @@ public final class Typing {
         return isOn() && field.equals(name);
     }
 
-    /** What is typed, with a mark behind it where it goes on. */
+    /** The text that is being typed, with a cursor at its end. */
     public String text() {
         return text + "|";
     }

@@ -103,8 +103,8 @@ public record Corners(List<Point> corners) implements Form {
     }
 
     /**
-     * Returns this outline where it is convex, else the convex parts into which it can be cut; the
-     * outline as it is where it crosses itself, or has more parts than a file may state.
+     * Returns this outline if it is convex, otherwise its convex parts. An outline that crosses
+     * itself, or has more parts than a file may state, is returned unchanged.
      */
     public Form whole() {
         if (polygon().isPresent()) {
@@ -118,7 +118,8 @@ public record Corners(List<Point> corners) implements Form {
             }
             return parts.size() <= MOST ? new Parts(Gluing.compound(parts)) : this;
         } catch (IllegalArgumentException refused) {
-            // What crosses itself stays as it is, beside the loader's message.
+            // An outline that crosses itself stays unchanged; the loader's message is shown beside
+            // it.
             return this;
         }
     }

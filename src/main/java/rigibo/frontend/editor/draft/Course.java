@@ -40,7 +40,7 @@ public record Course(Item body) {
         return stops;
     }
 
-    /** What the body does at the last stop. */
+    /** The body's behaviour at the last stop. */
     public String end() {
         return body.node().path(PATH).path("end").asString("back");
     }

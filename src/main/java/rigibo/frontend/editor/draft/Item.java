@@ -31,7 +31,7 @@ public record Item(String pointer, ObjectNode node) {
         BODY
     }
 
-    /** What it is. */
+    /** Its kind. */
     public Kind kind() {
         if (pointer.equals("/ball") || isFurtherBall()) {
             return Kind.BALL;
@@ -108,7 +108,7 @@ public record Item(String pointer, ObjectNode node) {
         return node.has("fan") || node.has("magnet");
     }
 
-    /** What a click in play does to it besides deleting. */
+    /** The effect of a click on it in play, other than deletion. */
     public Optional<Verb> verb() {
         return Verb.titled(node.path("click").asString(""));
     }
@@ -189,9 +189,7 @@ public record Item(String pointer, ObjectNode node) {
         return with("angle", Decimal.of(Math.IEEEremainder(degrees, 360)));
     }
 
-    /**
-     * Returns this item with another outline: for a ball only a disc, for a platform only a box.
-     */
+    /** Returns this item with another outline: a ball takes only a disc, a platform only a box. */
     public Item formed(Form form) {
         if (kind() == Kind.BALL) {
             return with("radius", Decimal.of(form.reach()));

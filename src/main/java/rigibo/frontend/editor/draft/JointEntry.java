@@ -62,7 +62,7 @@ public record JointEntry(String pointer, ObjectNode node) {
                                                 && point.path(1).isNumber());
     }
 
-    /** Of which kind it is. */
+    /** Its kind. */
     public LevelJoint.Type type() {
         String type = node.path("type").asString("");
         return LevelJoint.Type.valueOf(type.toUpperCase(Locale.ROOT));
@@ -73,7 +73,7 @@ public record JointEntry(String pointer, ObjectNode node) {
         return node.path("id").asString("");
     }
 
-    /** What a click in play does to it. */
+    /** The effect of a click on it in play. */
     public Optional<Verb> verb() {
         return Verb.titled(node.path("click").asString(""));
     }

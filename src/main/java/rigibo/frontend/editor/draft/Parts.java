@@ -27,7 +27,7 @@ public record Parts(ObjectNode node) implements Form {
         try {
             return Optional.of(Outline.of(node));
         } catch (IllegalArgumentException refused) {
-            // A shape that is half written has no outline; the loader's message is shown beside it.
+            // An incomplete shape has no outline; the loader's message is shown beside it.
             return Optional.empty();
         }
     }

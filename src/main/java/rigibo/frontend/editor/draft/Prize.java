@@ -72,13 +72,13 @@ public final class Prize {
                 .asString(draft.at("/solutions/0/clicks/0").path(JOINT).asString(""));
     }
 
-    /** What the feat is about; empty if it is about nothing. */
+    /** The bodies or joints that the feat is about; may be empty. */
     public static String target(Draft draft) {
         JsonNode star = draft.at(STAR);
         return star.path(BODY).asString(star.path(JOINT).asString(""));
     }
 
-    /** What the feat can be about: bodies, and for the first click joints as well. */
+    /** The names that the feat can be about: bodies, and for the first click joints as well. */
     public static List<String> targets(Draft draft) {
         List<String> targets = new ArrayList<>();
         draft.items().stream()

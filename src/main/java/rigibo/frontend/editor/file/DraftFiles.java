@@ -104,11 +104,11 @@ public final class DraftFiles {
     }
 
     /**
-     * Saves a draft into its file. A draft that has none, or that of a level of the game, gets one
-     * of its own, and an id with it.
+     * Saves a draft to its file. A draft without a file, or with that of a level of the game, gets
+     * a new file and a new id.
      *
-     * @throws IOException when it cannot be written, or is too large to be read again; what was
-     *     there before is still there
+     * @throws IOException when it cannot be written, or is too large to be read again; the file is
+     *     then unchanged
      */
     public DraftFile save(DraftFile from) throws IOException {
         DraftFile into = hasOwn(from) ? identified(from) : named(from.draft());
@@ -155,7 +155,7 @@ public final class DraftFiles {
         return new DraftFile(draft, Optional.of(shelf.resolve(id + ENDING))).called(id);
     }
 
-    /** What a draft's file may be called, where no other is beside it. */
+    /** A file name for a draft, as long as no other file has it. */
     public static String nameOf(Draft draft) {
         return word(draft) + ENDING;
     }

@@ -6,9 +6,7 @@ import rigibo.frontend.document.Problem;
 
 import java.io.IOException;
 
-/**
- * A file or code is no draft: because of a problem, of which authors are told in their language.
- */
+/** A file or code is not a draft. Its problem is told to authors in their language. */
 public final class Unreadable extends IOException {
 
     private static final long serialVersionUID = 1;

@@ -125,7 +125,7 @@ public final class Unsaved {
         }
     }
 
-    /** What could not be read. */
+    /** The problems found while reading. */
     public List<IOException> trouble() {
         return List.copyOf(trouble);
     }

@@ -36,7 +36,7 @@ public final class Bar {
         x += width + GAP;
     }
 
-    /** What is left of the area at the right of the buttons. */
+    /** The area that is left at the right of the buttons. */
     public Area rest() {
         return new Area(x, area.y(), area.right() - x, area.height());
     }

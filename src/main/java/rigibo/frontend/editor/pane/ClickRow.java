@@ -14,10 +14,10 @@ import java.util.function.Consumer;
 final class ClickRow {
 
     /**
-     * What can be chosen.
+     * An option of the row.
      *
-     * @param verb empty for what stays as it is
-     * @param isOn whether a switch begins on
+     * @param verb the click's effect; empty for a body that clicks leave alone
+     * @param isOn whether a switch is on at the start
      */
     record Choice(Optional<Verb> verb, boolean isOn) {
 

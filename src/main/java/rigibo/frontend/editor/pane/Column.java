@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 
 /**
- * Rows of fields, from the top of an area downwards. In a hand they are as high as a finger, and
- * there are as many on a page as there is room for.
+ * Rows of fields, from the top of an area downwards. In a handheld window they are as high as a
+ * finger, and there are as many on a page as there is room for.
  */
 final class Column {
 
@@ -20,10 +20,13 @@ final class Column {
     private static final double SIGN = 22;
     private static final double VALUE = 66;
 
-    /** What a value has of a row in a hand, where rows are as wide as the window. */
+    /**
+     * Share of a row that its value takes in a handheld window, where rows are as wide as the
+     * window.
+     */
     private static final double VALUE_SHARE = 0.3;
 
-    /** What plus and minus leave to the value between them where text is enlarged, px. */
+    /** Width that plus and minus give up to the value between them where text is enlarged, px. */
     private static final double SPARED = 5;
 
     private final Pane pane;
@@ -47,7 +50,7 @@ final class Column {
         return pane.canvas().layout().isInHand();
     }
 
-    /** Rows of a page; in a hand one less than there is room for, which leads to other pages. */
+    /** Rows of a page. In a handheld window the last row leads to other pages. */
     private int perPage() {
         return Math.max(1, (int) ((area.height() + GAP) / pitch()) - 1);
     }
@@ -180,9 +183,9 @@ final class Column {
     }
 
     /**
-     * What a field shows.
+     * The content of a field.
      *
-     * @param text its value, or what is typed into it
+     * @param text its value, or the text being typed into it
      * @param font words or numbers
      * @param isTyped whether it is being typed into
      */

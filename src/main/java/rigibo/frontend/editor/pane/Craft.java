@@ -42,14 +42,14 @@ public enum Craft {
         return Arrays.stream(values()).filter(craft -> craft.shortcut == key).findFirst();
     }
 
-    /** What it joins by, where it is for joints. */
+    /** The type of its joints, if it makes joints. */
     public Optional<LevelJoint.Type> joint() {
         return Arrays.stream(LevelJoint.Type.values())
                 .filter(type -> type.name().equals(name()))
                 .findFirst();
     }
 
-    /** What is told of how it is used: the end of a key of the bundles. */
+    /** The last part of the key of its instructions in the bundles. */
     public String hint() {
         return switch (this) {
             case SELECT -> "select";

@@ -14,7 +14,7 @@ public final class EffectPane {
     private static final double GAP = 5;
     private static final double TIGHT_GAP = 3;
 
-    /** What a level may declare, what is common first. */
+    /** The effects that a level may declare, the most common first. */
     private static final List<String> EFFECTS =
             List.of(
                     "gravity",

@@ -27,12 +27,12 @@ final class Fields {
     private final Typing typing;
 
     /**
-     * What a number may be.
+     * The range of a number.
      *
      * @param least its lower bound
      * @param most its upper bound
-     * @param notch what a press on plus adds
-     * @param usual what holds where the draft states none
+     * @param notch the amount that a press on plus adds
+     * @param usual the default where the draft states none
      */
     record Range(double least, double most, double notch, double usual) {
 
@@ -64,7 +64,7 @@ final class Fields {
         return desk;
     }
 
-    /** What becomes of a draft when a number is stated. */
+    /** Makes the draft with a number changed. */
     interface Edit {
         Draft of(Draft draft, double value);
     }
@@ -135,7 +135,7 @@ final class Fields {
         desk.change(edit.of(desk.draft(), value));
     }
 
-    /** A text; what is typed becomes part of the draft by {@code edit}. */
+    /** A text field; {@code edit} puts the typed text into the draft. */
     void text(String name, String key, String held, Consumer<String> edit) {
         column.entry(
                 words(key),

@@ -19,7 +19,7 @@ public final class Pages {
         return open;
     }
 
-    /** Opens one of so many pages, from 0; beyond the last one, the last one. */
+    /** Opens a page, counted from 0; the last one if there is no such page. */
     void open(int page, int count) {
         open = Math.max(0, Math.min(count - 1, page));
     }

@@ -19,13 +19,13 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
     static final double CORNER = 7;
     private static final double PADDING = 8;
 
-    /** What buttons side by side have less beside their names where room is scarce, px. */
+    /** Margin that buttons side by side give up where room is scarce, px. */
     static final double TIGHTENED = 11;
 
     /** Opaque: the world goes on below. */
     private static final Color PLATE = Color.PANEL.alpha(1);
 
-    /** A plate that takes presses off what lies below it. */
+    /** A plate that keeps presses from reaching what lies below it. */
     public void plate(Area area) {
         canvas.panel(area.x(), area.y(), area.width(), area.height(), 12, PLATE);
         spots.add(area, "", "", () -> {});
@@ -35,7 +35,7 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
         return area.contains(pointerX, pointerY);
     }
 
-    /** Height of something to press, px: in a hand, at least that of a finger. */
+    /** Height of something to press, px: in a handheld window, at least that of a finger. */
     double pressable(double usual) {
         return canvas.layout().clickable(usual);
     }

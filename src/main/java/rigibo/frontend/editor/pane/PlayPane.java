@@ -33,7 +33,7 @@ final class PlayPane {
         }
     }
 
-    /** What a click does besides deleting, and the blast of a bomb. */
+    /** Rows for the effect of a click other than deletion, and for the blast of a bomb. */
     private static void click(Fields fields, Item item) {
         List<Verb> fitting = item.fitting();
         if (!fitting.isEmpty()) {

@@ -64,7 +64,7 @@ public final class ProblemPane {
         }
     }
 
-    /** Height of a heading and so many problems, px; of two rows at least. */
+    /** Height of a heading and a number of problems, px; at least two rows. */
     public static double height(Pane pane, int problems) {
         return Math.max(2, problems + 1) * height(pane);
     }
@@ -90,7 +90,7 @@ public final class ProblemPane {
         return ProblemWords.title(pane.words(), finding.problem());
     }
 
-    /** What is wrong and what helps, in a sentence of the player's language. */
+    /** What is wrong and how to mend it, in a sentence of the player's language. */
     public static String told(Pane pane, Finding finding) {
         return ProblemWords.told(pane.words(), finding.problem());
     }

@@ -13,10 +13,10 @@ public final class Spots {
     /**
      * A place to press.
      *
-     * @param area where
-     * @param name what it is called; empty for what only takes presses off what lies below
+     * @param area its area
+     * @param name its name; empty for a plate that only keeps presses from what lies below
      * @param kind whether it is a switch
-     * @param words what is told while the pointer is on it; empty for nothing
+     * @param words the sentence shown while the pointer is on it; may be empty
      * @param action what a press does
      */
     public record Spot(Area area, String name, Control.Kind kind, String words, Runnable action) {

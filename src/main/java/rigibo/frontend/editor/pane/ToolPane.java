@@ -19,14 +19,17 @@ public final class ToolPane {
     private static final double SWATCH = 30;
     private static final double GAP = 4;
 
-    /** Tools for bodies, which are more than those for joints beside them. */
+    /**
+     * Number of rows: that of the tools for bodies, which are more than those for joints beside
+     * them.
+     */
     private static final int ROWS = 9;
 
     private static final int SWATCHES = 4;
 
     private ToolPane() {}
 
-    /** As many side by side as there is room for, tools first; each is as large as a finger. */
+    /** Lays out as many side by side as fit, tools first, each as large as a finger. */
     public static void drawInHand(
             Pane pane, Area area, Desk desk, Craft taken, Consumer<Craft> take) {
         Grid grid = grid(pane, area);
@@ -40,7 +43,7 @@ public final class ToolPane {
         }
     }
 
-    /** Height of all of it in a hand, in a width, px. */
+    /** Height of the pane in a handheld window for a given width, px. */
     public static double heightInHand(Pane pane, double width) {
         Grid grid = grid(pane, new Area(0, 0, width, 0));
         return grid.height(first(grid) + Substance.values().length);

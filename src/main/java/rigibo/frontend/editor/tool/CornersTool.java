@@ -24,7 +24,7 @@ public final class CornersTool implements Tool {
     /** How near to the first corner a click closes the polygon, px. */
     private static final double REACH = 10;
 
-    /** What the corners become. */
+    /** The shape that the corners make. */
     public enum Kind {
         POLYGON(Corners.FEWEST, Corners.MOST),
         LANDSCAPE(Landscape.FEWEST, Landscape.MOST);

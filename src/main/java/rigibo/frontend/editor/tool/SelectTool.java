@@ -28,7 +28,7 @@ public final class SelectTool implements Tool {
     private Runnable click;
     private boolean isDragged;
 
-    /** What was chosen before the button went down. */
+    /** The selection before the button went down. */
     private String before = "";
 
     /** The joint that this tool chose, for one that was just made is not clicked twice. */
@@ -60,7 +60,7 @@ public final class SelectTool implements Tool {
         }
     }
 
-    /** A second press on a joint is about what lies under it, if it is a mere click. */
+    /** A second click on a joint selects the thing under the joint. */
     private void press(JointEntry joint, Point at) {
         if (joint.pointer().equals(desk.chosen()) && desk.chosen().equals(clicked)) {
             click = () -> choose(desk.at(at));
@@ -95,7 +95,10 @@ public final class SelectTool implements Tool {
                 .min(Comparator.comparingDouble(handle -> handle.at().minus(at).length()));
     }
 
-    /** What is as small as a finger could not be dragged, if its handles took all touches. */
+    /**
+     * A thing as small as a finger has no handles: they would take all touches, and it could not be
+     * dragged.
+     */
     private boolean isNearer(Handle handle, Point at) {
         double middle = desk.item().orElseThrow().place().minus(at).length();
         return handle.at().minus(at).length() < middle;

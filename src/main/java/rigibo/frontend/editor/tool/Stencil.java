@@ -71,7 +71,7 @@ public enum Stencil {
         return 0;
     }
 
-    /** What a mere click makes. */
+    /** The size of a thing made by a click without dragging. */
     Form usual(int corners) {
         return this == REGULAR ? form(new Point(usual.reach(), 0), corners) : usual;
     }

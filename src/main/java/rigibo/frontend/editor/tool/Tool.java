@@ -18,7 +18,7 @@ public interface Tool {
     /** The left button went up, after it went down on the draft. */
     default void released(Point at) {}
 
-    /** What the button began as it went down is given up; it goes up without a word. */
+    /** Cancels what the press of the button began; the tool is not told when the button goes up. */
     default void interrupted() {
         cancelled();
     }
@@ -33,11 +33,11 @@ public interface Tool {
         return List.of();
     }
 
-    /** Leaves what is half done; returns whether there was something. */
+    /** Abandons unfinished work; returns whether there was any. */
     default boolean cancelled() {
         return false;
     }
 
-    /** Draws what is half done. */
+    /** Draws unfinished work. */
     default void draw(Canvas canvas) {}
 }

@@ -3,7 +3,6 @@ package rigibo.frontend.puzzle.hud;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
-import rigibo.frontend.puzzle.session.Pace;
 import rigibo.frontend.puzzle.session.Session;
 import rigibo.frontend.puzzle.show.Refusal;
 import rigibo.frontend.puzzle.show.View;
@@ -38,6 +37,7 @@ public final class Panels {
     private final KeyStrip keys = new KeyStrip();
     private final EffectsDrawer effects;
     private final HintPlate hint;
+    private final Offers offers;
     private final List<Command> exits;
     private final WholePlate whole;
     private final ButtonRow pause;
@@ -64,6 +64,7 @@ public final class Panels {
             List<Command> exits) {
         this.session = session;
         this.exits = exits;
+        offers = new Offers(session, exits);
         List<Command> inPause = new ArrayList<>(List.of(Command.RESUME, Command.RESTART));
         inPause.addAll(exits);
         pause = Hud.buttons(inPause);
@@ -229,20 +230,20 @@ public final class Panels {
         }
         drawDrawer(canvas);
         session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, foot()));
-        keys.draw(canvas, words, commands(offered), lit());
+        keys.draw(canvas, words, offers.onADesk(offered), offers.lit(open));
         end().ifPresent(panel -> panel.draw(canvas, words, motion));
         hud.drawHelp(canvas, words);
     }
 
     private void drawInHand(Canvas canvas, Refusal refusal, Set<Command> offered, Motion motion) {
-        List<Command> commands = commandsInHand(offered);
+        List<Command> commands = offers.inAHand(offered);
         HandPlaces places = HandPlaces.of(layout, commands.size());
         hud.drawInHand(canvas, places.bar(), words, session, refusal, motion);
         if (open == Drawer.HINT) {
             hint.drawInHand(canvas, words, places.hint());
         }
         session.verdict().ifPresent(said -> VerdictPlate.draw(canvas, words, said, foot()));
-        keys.drawInHand(canvas, words, commands, lit(), places.keys());
+        keys.drawInHand(canvas, words, commands, offers.lit(open), places.keys());
         end().ifPresent(panel -> panel.draw(canvas, words, motion));
         hud.drawHelp(canvas, words);
     }
@@ -280,62 +281,6 @@ public final class Panels {
                 }
             }
         }
-    }
-
-    private List<Command> commands(Set<Command> offered) {
-        if (session.isShowing()) {
-            return List.of(Command.PAUSE, Command.SLOWER, Command.STOP);
-        }
-        List<Command> commands = new ArrayList<>(List.of(Command.RESTART, Command.UNDO));
-        if (session.game().isSolved()) {
-            commands.add(Command.COPY);
-        } else {
-            commands.add(Command.PAUSE);
-            commands.add(Command.SLOWER);
-        }
-        commands.add(Command.EFFECTS);
-        commands.addAll(offered);
-        commands.add(exits.get(exits.size() - 1));
-        return commands;
-    }
-
-    /** Fingers have no keys, so that the ways out are among the buttons. */
-    private List<Command> commandsInHand(Set<Command> offered) {
-        if (session.isShowing()) {
-            return List.of(Command.PAUSE, Command.SLOWER, Command.STOP);
-        }
-        List<Command> commands = new ArrayList<>(List.of(Command.RESTART, Command.UNDO));
-        commands.add(
-                session.game().isSolved()
-                        ? Command.COPY
-                        : session.isPaused() ? Command.RESUME : Command.PAUSE);
-        if (!session.game().isSolved()) {
-            commands.add(Command.SLOWER);
-        }
-        commands.addAll(offered);
-        commands.addAll(exits);
-        return commands;
-    }
-
-    private List<Command> lit() {
-        List<Command> lit = new ArrayList<>();
-        if (session.isPaused()) {
-            lit.add(Command.PAUSE);
-            lit.add(Command.RESUME);
-        }
-        if (session.pace() != Pace.FULL) {
-            lit.add(Command.SLOWER);
-        }
-        if (open == Drawer.EFFECTS) {
-            lit.add(Command.EFFECTS);
-        }
-        if (session.hasGhost()) {
-            lit.add(Command.GHOST);
-        }
-        if (open == Drawer.HINT) {
-            lit.add(Command.HINT);
-        }
-        return lit;
     }
 
     /** The command of the button at a point. */

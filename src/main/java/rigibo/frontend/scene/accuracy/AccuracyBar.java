@@ -29,7 +29,7 @@ public final class AccuracyBar {
 
     private static final double SIZE = 16;
 
-    /** Between the dial and the words beside it, px. */
+    /** Gap between the dial and the words beside it, px. */
     private static final double GAP = 9;
 
     /** Least room beside the dial for words; with less they stand below it, px. */
@@ -204,7 +204,7 @@ public final class AccuracyBar {
         return contains(px, py);
     }
 
-    /** Turns the dial; the scene goes on from where it is. */
+    /** Turns the dial; the scene goes on from its present state. */
     public void choose(Preset preset) {
         dial.choose(preset);
         times.forget();

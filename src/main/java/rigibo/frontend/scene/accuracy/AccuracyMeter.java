@@ -13,10 +13,10 @@ import java.util.concurrent.CompletableFuture;
  */
 public final class AccuracyMeter {
 
-    /** Snapshots take one part in so many of the game's time at most. */
+    /** Snapshots take at most this part of the game's time, as 1 in n. */
     private static final long SNAPSHOT_SHARE = 2000;
 
-    /** Rest after a trial in its own lengths, and its least length, ns. */
+    /** Pause after a trial, as a multiple of the trial's time; and the shortest pause, ns. */
     private static final long REST = 8;
 
     private static final long SHORTEST_REST = 1_000_000_000;
@@ -36,7 +36,7 @@ public final class AccuracyMeter {
         this.trials = trials;
     }
 
-    /** Call between steps: takes in what was measured and sees to it that more is. */
+    /** Takes in the last measurement and starts the next one. To be called between steps. */
     void turn(Pool pool) {
         Subject now = Subject.of(pool);
         if (!now.equals(subject)) {

@@ -43,13 +43,13 @@ final class AccuracyTrial {
     }
 
     /**
-     * What came out.
+     * The result of a trial.
      *
-     * @param price how many times as long as at DRAFT a step takes; NaN where no time passed
-     * @param error root mean square over the dynamic bodies of their distance to where EXACT has
-     *     them, m
+     * @param price time of a step as a multiple of that at DRAFT; NaN where no time was measured
+     * @param error root mean square, over the dynamic bodies, of the distance to their places at
+     *     EXACT, m
      * @param steps that were made
-     * @param nanos how long all of it took
+     * @param nanos time of the whole trial, ns
      */
     record Result(double price, double error, int steps, long nanos) {
 

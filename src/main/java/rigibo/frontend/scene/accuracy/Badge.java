@@ -11,13 +11,13 @@ public record Badge(Words words) {
 
     private static final String UNKNOWN = "…";
 
-    /** From here on an error is told in metres, below in powers of ten. */
+    /** Errors from this size on are told in metres, smaller ones as powers of ten. */
     private static final double PLAIN = 0.01;
 
-    /** Slower by less than this nobody sees: one late picture is enough for it. */
+    /** A smaller slowdown cannot be seen; a single late picture can cause it. */
     private static final double IN_TIME = 0.95;
 
-    /** What a step takes, ns; 0 while unknown. */
+    /** Says how long a step takes, ns; 0 while unknown. */
     String step(double nanos) {
         String time =
                 nanos <= 0

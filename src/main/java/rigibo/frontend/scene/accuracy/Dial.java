@@ -54,7 +54,7 @@ public final class Dial {
         return layout.clickable(HEIGHT);
     }
 
-    /** Draws it with its upper left corner at a point, px; there it is from then on. */
+    /** Places and draws the dial with its upper left corner at a point, px. */
     public void draw(Canvas canvas, double left, double top) {
         x = left;
         y = top;

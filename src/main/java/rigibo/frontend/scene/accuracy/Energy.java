@@ -13,7 +13,7 @@ import rigibo.backend.setup.BodyType;
  */
 public record Energy(double potential, double translational, double rotational) {
 
-    /** Of a pool as it is now. */
+    /** The present energy of a pool. */
     public static Energy of(Pool pool) {
         double translational = 0;
         double rotational = 0;
@@ -23,7 +23,7 @@ public record Energy(double potential, double translational, double rotational) 
                 double vy = body.velocityY();
                 double along = body.mass() * (vx * vx + vy * vy) / 2;
                 translational += along;
-                // What a body has beyond its motion; rounding must not make it negative.
+                // Energy of a body apart from its motion; rounding must not make it negative.
                 rotational += Math.max(0, body.kineticEnergy() - along);
             }
         }

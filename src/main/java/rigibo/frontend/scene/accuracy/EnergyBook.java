@@ -56,7 +56,7 @@ public final class EnergyBook {
         return kind == EnergyKind.LOSING ? first - lowest : 0;
     }
 
-    /** J: what no declared effect explains. */
+    /** Change of energy that no declared effect explains, J. */
     public double drift(EnergyKind kind) {
         return switch (kind) {
             case CONSERVED -> now - first;
@@ -65,7 +65,9 @@ public final class EnergyBook {
         };
     }
 
-    /** J: the change where work is done; less what is lost, which nobody can tell from it. */
+    /**
+     * Change of energy where work is done, J. Losses are included, since they cannot be told apart.
+     */
     public double work(EnergyKind kind) {
         return kind == EnergyKind.WORKED ? now - first : 0;
     }

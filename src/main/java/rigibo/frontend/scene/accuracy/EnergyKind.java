@@ -19,7 +19,7 @@ public enum EnergyKind {
     /** Work is done from outside, or a force acts whose potential is not counted. */
     WORKED;
 
-    /** The kind of a pool as it is now. */
+    /** The present kind of a pool. */
     public static EnergyKind of(Pool pool) {
         Effects effects = pool.effects();
         if (declaresAny(effects, Effect.Energy.GIVEN) || hasDriven(pool)) {

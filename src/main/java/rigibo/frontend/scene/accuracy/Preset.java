@@ -22,7 +22,7 @@ public enum Preset {
         this.tolerance = tolerance;
     }
 
-    /** What a pool is set to. */
+    /** The accuracy of this preset. */
     public Accuracy accuracy() {
         return accuracy;
     }
@@ -47,7 +47,7 @@ public enum Preset {
         return Arrays.stream(values()).filter(one -> one.linked().equals(name)).findFirst();
     }
 
-    /** What it is, in a line. */
+    /** A line that describes it. */
     String help(Words words) {
         String purpose = words.of("preset." + linked());
         return words.of("preset.help", purpose, accuracy.substeps(), tolerance);

@@ -28,7 +28,7 @@ public final class StepTimes {
         count = 0;
     }
 
-    /** Of the last step, ns; 0 while there is none. */
+    /** Time of the last step, ns; 0 before the first. */
     public long last() {
         return count == 0 ? 0 : nanos[(count - 1) % WINDOW];
     }

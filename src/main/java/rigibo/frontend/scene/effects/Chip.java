@@ -17,7 +17,7 @@ import rigibo.frontend.scene.Layout;
  */
 record Chip(EffectReason reason, String title, double x, double y, double width, double height) {
 
-    /** The height on a desk, px. */
+    /** The height in a desktop window, px. */
     static final double HEIGHT = 30;
 
     private static final double SHARE_HEIGHT = 3;

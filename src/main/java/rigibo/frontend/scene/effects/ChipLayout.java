@@ -20,7 +20,7 @@ final class ChipLayout {
     /** Between rows and between chips, px. */
     static final double GAP = 6;
 
-    /** Beside a chip's word, px. */
+    /** Space at either side of a chip's word, px. */
     private static final double MARGIN = 10;
 
     /** Margin, then gap, where chips are moved closer together, px. */

@@ -23,14 +23,17 @@ import java.util.concurrent.CompletableFuture;
 public final class CostMeter {
 
     /**
-     * Snapshots take one part in so many of the game's time at most, while somebody looks and while
-     * nobody does.
+     * Snapshots take at most this part of the game's time, as 1 in n: while somebody looks, and
+     * while nobody does.
      */
     private static final long WATCHED_SHARE = 200;
 
     private static final long UNWATCHED_SHARE = 2000;
 
-    /** Rest after a trial in its own lengths: while somebody looks, and while nobody does. */
+    /**
+     * Pause after a trial, as a multiple of its own time: while somebody looks, and while nobody
+     * does.
+     */
     private static final long SHORT_REST = 2;
 
     private static final long LONG_REST = 8;
@@ -62,7 +65,7 @@ public final class CostMeter {
         this.trials = trials;
     }
 
-    /** Call between steps: takes in what was measured and sees to it that more is. */
+    /** Takes in the last measurement and starts the next one. To be called between steps. */
     void turn(Pool pool, List<Effect> shown, Optional<Effect> asked) {
         Subject now = Subject.of(pool);
         if (!now.equals(subject)) {
@@ -109,10 +112,11 @@ public final class CostMeter {
     }
 
     /**
-     * The difference as the game would feel it, ns. There a step takes longer than on a copy, for
-     * drawing empties the caches between two steps: 600 discs 1.5 ms in place of 0.4 ms. So does
-     * what is saved of a step, or added to it up to its own length; what goes beyond is work, not
-     * waiting. Where sleepers were woken the two do not do the same and nothing is compared.
+     * The difference as the game would feel it, ns. In the game a step takes longer than on a copy,
+     * since drawing empties the caches between two steps: with 600 discs 1.5 ms instead of 0.4 ms.
+     * A difference is scaled up likewise, as far as it is no longer than a step; anything beyond is
+     * work, not waiting for memory. If sleepers were woken, the two steps did different work and
+     * nothing is scaled.
      */
     private double inTheGame(CostTrial.Result result) {
         double copy = result.step();
@@ -122,7 +126,7 @@ public final class CostMeter {
         return stretch * within + (result.difference() - within);
     }
 
-    /** Every other trial is of the effect that is asked for; all take turns in the rest. */
+    /** Every other trial is of the effect that the player looks at; the others take turns. */
     private Optional<Effect> choose(List<Effect> shown, Optional<Effect> asked) {
         turn++;
         if (turn % 2 == 0 && asked.isPresent() && canSwitch(asked.get())) {
@@ -154,12 +158,12 @@ public final class CostMeter {
         return trials.clock().getAsLong();
     }
 
-    /** What a step costs more for an effect that is simulated, or would for one that is not. */
+    /** Additional time of a step that a simulated effect costs, or another effect would cost. */
     Estimate cost(Effect effect) {
         return costs.getOrDefault(effect.getClass(), new Estimate());
     }
 
-    /** What a step of the game takes, ns; 0 while unknown. */
+    /** Time of a step of the game, ns; 0 while unknown. */
     double step() {
         return step;
     }

@@ -57,12 +57,12 @@ final class CostTrial {
     }
 
     /**
-     * What came out.
+     * The result of a trial.
      *
      * @param step a step with the present effects, ns
-     * @param difference how much more a step with the other set takes, ns
-     * @param hasWoken whether bodies that sleep were woken for it
-     * @param nanos how long all of it took
+     * @param difference additional time of a step with the other set, ns
+     * @param hasWoken whether sleeping bodies were woken for it
+     * @param nanos time of the whole trial, ns
      */
     record Result(double step, double difference, boolean hasWoken, long nanos) {}
 
@@ -115,7 +115,7 @@ final class CostTrial {
         return clock.getAsLong() - begin;
     }
 
-    /** Of the steps that were measured. */
+    /** Mean over the measured steps. */
     private double mean(long[] times) {
         return Arrays.stream(times, 0, steps).average().orElseThrow();
     }

@@ -12,12 +12,12 @@ record CostWords(Words words) {
     private static final double MICROSECOND = 1e3;
     private static final double MILLISECOND = 1e6;
 
-    /** What an effect that is simulated costs of a step. */
+    /** Says which share of a step a simulated effect costs. */
     String ofLit(Estimate cost) {
         return of("cost.lit", cost);
     }
 
-    /** What an effect that is not simulated would cost. */
+    /** Says what an effect that is not simulated would cost. */
     String ofUnlit(Estimate cost) {
         return of("cost.unlit", cost);
     }
@@ -31,7 +31,7 @@ record CostWords(Words words) {
                 : words.of(key + (cost.mean() > 0 ? ".more" : ".less"), sure(cost));
     }
 
-    /** What a step takes, ns, 0 where it is unknown. */
+    /** Says how long a step takes, ns; 0 where it is unknown. */
     String ofStep(double nanos) {
         return words.of("cost.step", nanos > 0 ? time(nanos) : "…");
     }

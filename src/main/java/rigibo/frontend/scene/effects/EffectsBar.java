@@ -35,7 +35,7 @@ public final class EffectsBar {
     /** Width from which on two rows are enough, px. */
     private static final double WIDE = 500;
 
-    /** Lines of words in a hand, whatever is said. */
+    /** Number of lines kept for words in a handheld window. */
     private static final int LINES_IN_HAND = 7;
 
     /** Lines of words, and where text is enlarged. */
@@ -84,7 +84,10 @@ public final class EffectsBar {
         lay(canvas, width, most(width), lines, laid -> new Plate(x, y, width, laid));
     }
 
-    /** Draws the bar at the upper edge of a room in a hand, with as many chips as fit into it. */
+    /**
+     * Draws the bar at the upper edge of a room in a handheld window, with as many chips as fit
+     * into it.
+     */
     public void draw(Canvas canvas, Plate room) {
         double chip = Chip.height(canvas.layout());
         int rows = MOST_ROWS;
@@ -166,7 +169,8 @@ public final class EffectsBar {
 
     private void draw(Canvas canvas, Chip chip, Effects calledFor) {
         Estimate cost = meter.cost(chip.effect());
-        // What sleeps costs nothing, and its share when awake is of another step than the game's.
+        // Nothing is said of a sleeping scene: it costs nothing, and the share of an awake step
+        // does not apply to it.
         boolean isOfStep = cost.isKnown() && meter.step() > 0 && !meter.hasWoken();
         double share = isOfStep ? cost.mean() / meter.step() : 0;
         boolean isCalledFor = calledFor.declares(chip.effect().getClass());
@@ -256,7 +260,7 @@ public final class EffectsBar {
         return chips.stream().filter(chip -> chip.holds(pointerX, pointerY)).findFirst();
     }
 
-    /** Tells of its chips, if it was drawn, and of what is to be said of the last one used. */
+    /** Tells of its chips, if it was drawn, and says the words of the chip used last. */
     public void describe(Narrator narrator) {
         for (Chip chip : chips) {
             Plate place = new Plate(chip.x(), chip.y(), chip.width(), chip.height());

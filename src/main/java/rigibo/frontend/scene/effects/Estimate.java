@@ -5,10 +5,10 @@ import java.util.Arrays;
 /** An estimate of a repeatedly measured time: the mean of the last rounds and its uncertainty. */
 final class Estimate {
 
-    /** Rounds that count: the scene changes, and what was measured long ago is of another one. */
+    /** Rounds that count. The scene changes, so that older measurements no longer hold. */
     static final int ROUNDS = 9;
 
-    /** Of fewer rounds nothing is said. */
+    /** Fewest rounds that give an estimate. */
     static final int FEWEST = 3;
 
     /** Half the width of a 95 % interval in standard errors, Student's t of nine rounds. */

@@ -56,8 +56,8 @@ record KnownEffect(Effect.Kind kind) {
     }
 
     /**
-     * What a scene shows of this kind: what it calls for, has words for, or everywhere is offered;
-     * otherwise nothing.
+     * The effect of this kind that a scene shows: one that it calls for, has words for, or that is
+     * offered everywhere. Otherwise empty.
      *
      * @param calledFor what the scene calls for
      * @param reasons the scene's own words
@@ -81,7 +81,7 @@ record KnownEffect(Effect.Kind kind) {
         return effect.kind() == kind;
     }
 
-    /** What an effect does wherever bodies are. */
+    /** What an effect does in any scene. */
     private static String general(Effect effect, Words words) {
         return words.of("effect." + effect.title() + ".words");
     }

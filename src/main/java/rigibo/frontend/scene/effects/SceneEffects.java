@@ -12,13 +12,13 @@ public interface SceneEffects {
     /** The player's. */
     Words words();
 
-    /** What is simulated now; a scene that begins anew may answer another. */
+    /** The pool that is simulated now; a restarted scene may return another one. */
     Pool pool();
 
-    /** What the scene calls for. */
+    /** The effects that the scene calls for. */
     Effects calledFor();
 
-    /** The scene's own words; of what it has none for, general ones are shown. */
+    /** The scene's own words about effects; for other effects general words are shown. */
     List<EffectReason> reasons();
 
     /** Simulates another set, as an experiment. */

@@ -18,7 +18,8 @@ final class Distance {
         Iterator<RigidBody> others = other.bodies().iterator();
         for (RigidBody body : one.bodies()) {
             if (!others.hasNext()) {
-                // The scene adds bodies by what it meets, and has met more than its copy.
+                // Counts differ if the scene adds bodies depending on its state and has added more
+                // than its copy.
                 break;
             }
             RigidBody twin = others.next();

@@ -21,7 +21,7 @@ public final class Divergence {
         double distance = Distance.between(one, other);
         recent[steps % KEPT] = distance;
         steps++;
-        // Judged once: what comes after is the motion of two scenes that have nothing in common.
+        // The verdict is final: from then on the two scenes move independently.
         if (parting.isEmpty() && !growth.isFull()) {
             growth.add(distance);
             if (growth.hasReached(Distance.size(one))) {

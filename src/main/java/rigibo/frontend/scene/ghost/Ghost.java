@@ -115,7 +115,7 @@ public final class Ghost {
         }
     }
 
-    /** Does to a joint's twin what was done to the joint, where it has not broken. */
+    /** Applies the changes of a joint to its twin, unless the twin has broken. */
     public void act(Joint joint, Consumer<Joint> verb) {
         Joint twin = twins.of(joint);
         if (twin.isAlive()) {
@@ -128,7 +128,7 @@ public final class Ghost {
         return twins.of(body);
     }
 
-    /** Does to a body's twin what was done to the body. */
+    /** Applies the changes of a body to its twin. */
     public void act(RigidBody body, Consumer<RigidBody> verb) {
         verb.accept(twins.of(body));
     }

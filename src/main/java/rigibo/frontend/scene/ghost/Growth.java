@@ -9,7 +9,7 @@ import java.util.Arrays;
  */
 final class Growth {
 
-    /** What is less is rounding, m. */
+    /** Smaller distances are rounding errors, m. */
     private static final double ROUNDING = 1e-14;
 
     /** From this share of its size on, two pictures of a scene look like two scenes. */
@@ -18,7 +18,7 @@ final class Growth {
     /** A minute: what takes longer to be seen is not called chaos here. */
     private static final int MOST = 3600;
 
-    /** Growth that is less in all, as a factor, is told neither from a power nor from a jump. */
+    /** A smaller total growth, as a factor, cannot be told from a power of time or from a jump. */
     private static final double LEAST_GROWTH = 100;
 
     /**

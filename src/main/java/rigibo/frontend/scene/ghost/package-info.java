@@ -1,6 +1,6 @@
 /**
- * A scene beside its copy at another accuracy: the distance between two pools that started equal,
- * when they became unrelated and whether that was chaos, and a {@link
- * rigibo.frontend.scene.ghost.Ghost}, which is drawn over a scene as an outline.
+ * A scene and its copy at another accuracy: the distance between two pools that started equal, when
+ * they became unrelated, and whether chaos was the cause. A {@link
+ * rigibo.frontend.scene.ghost.Ghost} draws the copy over the scene, as outlines.
  */
 package rigibo.frontend.scene.ghost;

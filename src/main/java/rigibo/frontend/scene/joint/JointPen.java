@@ -16,7 +16,7 @@ public final class JointPen {
     private static final Color ROPE = Color.of(0xD6B27A);
     private static final Color ROPE_DARK = Color.of(0x7C5A33);
 
-    /** Of rods, ropes and wires, m, and at least so many px. */
+    /** Widths of rods, ropes and wires, m, and their least width, px. */
     private static final double ROD = 0.07;
 
     private static final double CORD = 0.055;
@@ -125,7 +125,7 @@ public final class JointPen {
         canvas.curve(screen, points, width, color);
     }
 
-    /** A brass pin of a radius, whose slot turns with what it holds. */
+    /** Draws a brass pin of the given radius, whose slot turns with the body it holds. */
     public void pin(double x, double y, double radius, double angle) {
         double size = px(radius);
         disc(x, y, size + 1.2, SHADE);
@@ -138,7 +138,10 @@ public final class JointPen {
         }
     }
 
-    /** A motor: an arrow about a pin, the way it turns what it drives; 0 holds it. */
+    /**
+     * Draws a motor as an arrow about a pin, in the direction in which it turns; a speed of 0 is a
+     * brake.
+     */
     public void motor(double x, double y, double radius, double angle, double speed) {
         motor(x, y, radius, angle, speed, Color.GOOD);
     }

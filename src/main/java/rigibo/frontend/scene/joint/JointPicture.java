@@ -38,7 +38,7 @@ public final class JointPicture {
     /** The arrow of a motor, as a multiple of its pin. */
     private static final double ARROW = 2.3;
 
-    /** A strut's upper end is so many radii of the wheel over its axle. */
+    /** Height of a strut's upper end over the axle, in radii of the wheel. */
     private static final double STRUT = 1.25;
 
     /** A rail without an end reaches so far beyond what slides on it, m. */
@@ -81,7 +81,7 @@ public final class JointPicture {
         new JointPicture(canvas, camera, poses, at -> isNear(layout, camera, at)).draw(joints);
     }
 
-    /** Whether a point is in the window or no more than a window beside it. */
+    /** Whether a point is in the window, or outside it by at most the window's own size. */
     private static boolean isNear(Layout layout, Camera camera, Placement at) {
         return layout.shows(camera.screenX(at.x()), camera.screenY(at.y()), BESIDE);
     }

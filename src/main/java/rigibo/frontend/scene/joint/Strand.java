@@ -6,9 +6,7 @@ final class Strand {
     private static final int ROPE_PIECES = 18;
     private static final int BISECTIONS = 30;
 
-    /**
-     * A coil takes so much of a spring without load, m, and there are so many at least and most.
-     */
+    /** Length of a coil of a spring without load, m, and the least and greatest number of coils. */
     private static final double COIL = 0.13;
 
     private static final int FEWEST_COILS = 4;
@@ -27,7 +25,7 @@ final class Strand {
 
     private static final int ARC_PIECES = 20;
 
-    /** Of the arrow's head, as a share of the radius. */
+    /** Size of the arrow's head, as a share of the radius. */
     private static final double HEAD = 0.42;
 
     private double[] xy = new double[128];
@@ -112,7 +110,7 @@ final class Strand {
         }
     }
 
-    /** Finds the point so many m from the beginning. */
+    /** Finds the point at a distance (m) from the beginning. */
     void at(double way) {
         double left = way;
         for (int i = 1; i < points; i++) {

@@ -13,7 +13,7 @@ import rigibo.backend.setup.Accuracy;
  */
 public record Subject(Pool pool, Effects effects, Accuracy accuracy) {
 
-    /** A pool as it is now. */
+    /** The present state of a pool. */
     public static Subject of(Pool pool) {
         return new Subject(pool, pool.effects(), pool.accuracy());
     }

@@ -44,7 +44,7 @@ public final class Trials {
         end.run();
     }
 
-    /** What trials are timed by, ns. */
+    /** The clock that times trials, ns. */
     public LongSupplier clock() {
         return clock;
     }
@@ -55,10 +55,10 @@ public final class Trials {
     }
 
     /**
-     * A snapshot of a scene, not older than is worth its price.
+     * A snapshot of a scene, as fresh as its cost permits.
      *
-     * @param of the scene; of another one a snapshot is taken at once
-     * @param share snapshots take one part in so many of the game's time at most: of 600 discs one
+     * @param the scene; a snapshot of another scene than before is taken at once
+     * @param share snapshots take at most this part of the game's time, as 1 in n; one of 600 discs
      *     takes 4 ms
      */
     public byte[] snapshot(Subject of, long share) {

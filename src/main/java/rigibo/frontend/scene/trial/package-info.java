@@ -1,6 +1,6 @@
 /**
  * Experiments on copies of a running scene, on a thread of their own with the lowest priority.
- * Their owners decide what is measured and what it means: the effects bar measures what effects
- * cost, the accuracy bar what accuracy costs and brings.
+ * Their owners decide what to measure: the effects bar measures the cost of effects, the accuracy
+ * bar the cost and the error of each accuracy.
  */
 package rigibo.frontend.scene.trial;

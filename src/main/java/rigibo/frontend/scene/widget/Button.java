@@ -5,10 +5,10 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Narrator;
 
 /**
- * A button that does something once.
+ * A button with one action.
  *
  * @param words its label
- * @param action what it does
+ * @param action its action
  */
 public record Button(String words, Runnable action) implements Widget {
 

@@ -13,7 +13,7 @@ import java.util.function.IntSupplier;
 /**
  * A choice of a few options, which a press cycles through.
  *
- * @param linked its name in links; empty where links leave it as it is
+ * @param linked its name in links; empty if links do not set it
  * @param words its label
  * @param options the options
  * @param value index of the present option, from 0

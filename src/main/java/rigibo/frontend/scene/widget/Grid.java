@@ -10,7 +10,7 @@ package rigibo.frontend.scene.widget;
  */
 public record Grid(Plate first, int columns, double gapX, double gapY) {
 
-    /** As many places side by side as fill a row of a height, with gaps of one size. */
+    /** Places side by side that fill a row, with equal gaps. */
     public static Grid of(Plate row, int columns, double gap) {
         double width = (row.width() - (columns - 1) * gap) / columns;
         return new Grid(new Plate(row.x(), row.y(), width, row.height()), columns, gap, gap);
@@ -25,7 +25,7 @@ public record Grid(Plate first, int columns, double gapX, double gapY) {
                 first.height());
     }
 
-    /** Height of so many places, px. */
+    /** Height of a number of places, px. */
     public double height(int places) {
         int rows = (places + columns - 1) / columns;
         return rows * (first.height() + gapY) - gapY;

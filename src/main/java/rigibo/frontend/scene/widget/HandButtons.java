@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
 
-/** Buttons around a scene in a hand, in place of keys. */
+/** Buttons around a scene in a handheld window, in place of keys. */
 public final class HandButtons {
 
     private static final double SIZE = 16;
@@ -25,9 +25,9 @@ public final class HandButtons {
      * A button.
      *
      * @param words on it
-     * @param name what it is called
-     * @param isLit whether what it switches is on
-     * @param action what it does
+     * @param name its name
+     * @param isLit whether it is lit, since what it switches is on
+     * @param action its action
      */
     public record Item(String words, String name, boolean isLit, Runnable action) {
 
@@ -48,10 +48,10 @@ public final class HandButtons {
     }
 
     /**
-     * The buttons of a scene that is one of several, all of which run.
+     * The buttons of a running scene that is one of several.
      *
-     * @param leave the way back
-     * @param beside shows another one, so many places on
+     * @param leave goes back
+     * @param beside shows the scene that is a number of places further on
      */
     public static List<Item> ofSeveral(
             Words words,
@@ -68,7 +68,7 @@ public final class HandButtons {
                 new Item(words.of("puzzle.command.restart"), restart));
     }
 
-    /** The button that gives the address of what is shown to others, where it has one. */
+    /** The button that shares the address of the scene, if the scene has one. */
     public static List<Item> ofAddress(Director director) {
         return director.hasAddress()
                 ? List.of(new Item(director.words().of("hand.link"), director::share))

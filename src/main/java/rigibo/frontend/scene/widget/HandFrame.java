@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Where buttons and plates are around a scene in a hand, px of a sheet: above and below the scene,
- * or beside it.
+ * Where buttons and plates are around a scene in a handheld window, px of a sheet: above and below
+ * the scene, or beside it.
  *
  * @param buttons the first ones
  * @param tabs those that follow, if there are any
- * @param free what is left beside the scene, or above it
+ * @param free the room left beside the scene, or above it
  * @param room for a plate that is open, over the scene
  */
 public record HandFrame(List<Plate> buttons, List<Plate> tabs, Plate free, Plate room) {
@@ -28,7 +28,7 @@ public record HandFrame(List<Plate> buttons, List<Plate> tabs, Plate free, Plate
     /** Most of the width of an open plate, px. */
     private static final double WIDEST = 480;
 
-    /** A frame of so many buttons and tabs. */
+    /** A frame for a number of buttons and tabs. */
     public static HandFrame of(Layout sheet, int buttons, int tabs) {
         return sheet.isUpright() ? upright(sheet, buttons, tabs) : lying(sheet, buttons, tabs);
     }

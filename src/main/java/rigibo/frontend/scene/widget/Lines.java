@@ -41,8 +41,8 @@ public final class Lines {
     }
 
     /**
-     * A text broken between groups of words, such as a key and what it does, which stand three
-     * spaces apart.
+     * Breaks a text between groups of words that stand three spaces apart, such as a key and its
+     * action.
      *
      * @param size of the text, px
      * @param width of a line, px

@@ -25,13 +25,13 @@ public final class Panel {
     private int hot = NOTHING;
     private int dragged = NOTHING;
 
-    /** Height of a row and what is left between two as last drawn, px; and how many columns. */
+    /** Height of a row and gap between two rows as last drawn, px; number of columns. */
     private double row = Widget.ROW;
 
     private double space;
     private int columns = 1;
 
-    /** Where it ends at the latest in a hand, px. */
+    /** Lowest end of the panel in a handheld window, px. */
     private double end = Double.POSITIVE_INFINITY;
 
     /** A panel with its upper left corner at (x, y), px. */
@@ -67,7 +67,7 @@ public final class Panel {
         width = wide;
     }
 
-    /** Moves it to the upper edge of a room, px, beyond which it does not go in a hand. */
+    /** Moves it to the upper edge of a room, px; in a handheld window it stays within the room. */
     public void place(Plate room) {
         place(room.x(), room.y(), room.width());
         end = room.bottom();
@@ -87,7 +87,7 @@ public final class Panel {
         return (widgets.size() + columns - 1) / columns;
     }
 
-    /** Draws the plate and its rows; in a hand in two columns where one is too high. */
+    /** Draws the plate and its rows; in a handheld window in two columns where one is too high. */
     public void draw(Canvas canvas) {
         Layout layout = canvas.layout();
         row = widgets.stream().mapToDouble(widget -> widget.height(layout)).max().orElse(0);
@@ -129,13 +129,13 @@ public final class Panel {
         return px >= x && px <= x + width && py >= y && py <= y + height();
     }
 
-    /** When a finger at a point presses what is there: a rail at once, since it is dragged. */
+    /** When a finger at a point presses: at once on a slider's rail, since it is dragged. */
     public Tap tap(double px, double py) {
         int row = rowAt(px, py);
         return row != NOTHING && widgets.get(row).isDragged() ? Tap.AT_ONCE : Tap.LIFTED;
     }
 
-    /** The pointer moved; drags what is held. */
+    /** The pointer moved; drags the slider that is held. */
     public void pointerMoved(double px, double py) {
         if (dragged != NOTHING) {
             widgets.get(dragged).press(share(dragged, px));
@@ -149,7 +149,7 @@ public final class Panel {
     public boolean pointerPressed(double px, double py) {
         pointerMoved(px, py);
         if (hot != NOTHING) {
-            // First, for the press may put another panel in this one's place.
+            // Comes first, since the press may put another panel in place of this one.
             dragged = widgets.get(hot).isDragged() ? hot : NOTHING;
             widgets.get(hot).press(share(hot, px));
         }

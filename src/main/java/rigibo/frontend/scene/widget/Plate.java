@@ -16,7 +16,7 @@ public record Plate(double x, double y, double width, double height) {
     /** Holds no point. */
     public static final Plate NONE = new Plate(0, 0, -1, -1);
 
-    /** What is seen of a window but for a margin, px. */
+    /** The visible part of a window without a margin, px. */
     public static Plate seen(Layout layout, double margin) {
         double left = layout.seenLeft() + margin;
         double top = layout.seenTop() + margin;

@@ -31,7 +31,10 @@ public final class Print {
         canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.RIGHT, color);
     }
 
-    /** The label of a control, with its left end and its middle at a point; in a hand it wraps. */
+    /**
+     * The label of a control, with its left end and its middle at a point; in a handheld window it
+     * wraps.
+     */
     static void label(Canvas canvas, String words, double x, double y, double width, Color color) {
         if (!canvas.layout().isInHand()) {
             left(canvas, words, x, y, 16, color);

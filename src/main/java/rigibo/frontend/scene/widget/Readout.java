@@ -14,7 +14,10 @@ import java.util.function.Supplier;
  */
 public record Readout(String words, Supplier<String> value) implements Widget {
 
-    /** The height of a line in a hand, where nobody touches it, px. */
+    /**
+     * The height of a line in a handheld window, px; smaller than a button's, since it is not
+     * touched.
+     */
     private static final double LINE = 26;
 
     @Override

@@ -9,7 +9,7 @@ public final class Sign {
     /** From the middle to the foot of a tick, a share of its arm. */
     private static final double FOOT = 0.28;
 
-    /** Points of a star's outline, tips and notches by turns, the first one twice. */
+    /** Points of a star's outline, alternately tips and notches; the first one comes twice. */
     private static final int STAR_POINTS = 11;
 
     /** From the middle to a notch of a star, a share of the way to a tip. */

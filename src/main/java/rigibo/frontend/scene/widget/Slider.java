@@ -43,7 +43,7 @@ public record Slider(
 
     private static final double RAIL = 25 / ROW;
 
-    /** What it is called. */
+    /** Its name. */
     public String label() {
         return words.of(key);
     }

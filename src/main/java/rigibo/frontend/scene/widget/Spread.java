@@ -10,8 +10,8 @@ public final class Spread {
     private Spread() {}
 
     /**
-     * Where the place of each word ends, px from the left: each is as wide as its word in letters
-     * of a size, px, and has the same share of what is left of the width.
+     * Right ends of places for words, px from the left. Each place is as wide as its word in
+     * letters of the given size, px, plus an equal share of the remaining width.
      */
     public static double[] ends(Canvas canvas, List<String> words, double size, double width) {
         double[] ends = new double[words.size()];
@@ -28,8 +28,8 @@ public final class Spread {
     }
 
     /**
-     * Right ends of places for words, none narrower than a least width, px. What short words get
-     * beyond their need is taken from the others.
+     * Right ends of places for words, none narrower than a least width, px. What short words get in
+     * addition is taken from the others.
      */
     public static double[] ends(
             Canvas canvas, List<String> words, double size, double width, double least) {
@@ -54,7 +54,7 @@ public final class Spread {
         return ends;
     }
 
-    /** What each place gets beside its word, if those of short words are as wide as the least. */
+    /** Additional width of each place if the places of short words have the least width. */
     private static double room(double[] needed, boolean[] isShort, double width, double least) {
         double left = width;
         int others = 0;

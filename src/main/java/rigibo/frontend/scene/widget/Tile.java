@@ -10,14 +10,14 @@ import rigibo.frontend.scene.Narrator;
  * @param y upper edge
  * @param width px
  * @param height px
- * @param name what it is called where it is not seen
+ * @param name its name, for players who do not see it
  * @param look draws it
- * @param action what choosing it does
+ * @param action its action
  */
 public record Tile(
         double x, double y, double width, double height, String name, Look look, Runnable action) {
 
-    /** What a tile looks like. */
+    /** Draws a tile. */
     public interface Look {
 
         /** Draws a tile, {@code isChosen} under the pointer or by keys. */

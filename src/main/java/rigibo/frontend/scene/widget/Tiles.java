@@ -10,10 +10,10 @@ import java.util.List;
 /** Tiles, one of which is selected, by the pointer, by arrow keys or by Tab. */
 public final class Tiles {
 
-    /** A tile aside of an arrow's way is as far as one so many times farther along it. */
+    /** Weight of the distance across an arrow's direction, compared with the distance along it. */
     private static final double ASIDE = 3;
 
-    /** What is chosen of tiles none of which is: then Enter uses nothing. */
+    /** The selection while no tile is selected; Enter then does nothing. */
     public static final int NONE = -1;
 
     private final List<Tile> tiles;
@@ -49,13 +49,13 @@ public final class Tiles {
         chosen = tile;
     }
 
-    /** The pointer moved, px: what is under it is chosen. */
+    /** The pointer moved, px: the tile under it is selected. */
     public void pointerMoved(double x, double y) {
         int under = at(x, y);
         chosen = under < 0 ? chosen : under;
     }
 
-    /** A button went down, px: the left one uses what is under it. */
+    /** A button went down, px: the left one uses the tile under the pointer. */
     public void pointerPressed(PointerButton button, double x, double y) {
         int under = at(x, y);
         if (under >= 0 && button == PointerButton.LEFT) {
@@ -73,7 +73,7 @@ public final class Tiles {
         return -1;
     }
 
-    /** Arrows and Tab choose, Enter and the space bar use what is chosen. */
+    /** Arrows and Tab select a tile; Enter and the space bar use it. */
     public void keyPressed(Key key) {
         switch (key) {
             case UP -> chosen = towards(0, -1);

@@ -11,7 +11,7 @@ import java.util.function.BooleanSupplier;
 /**
  * Switches something on and off.
  *
- * @param linked its name in links; empty where links leave it as it is
+ * @param linked its name in links; empty if links do not set it
  * @param words its label
  * @param isOn the present state
  * @param flip changes it

@@ -7,7 +7,7 @@ import rigibo.frontend.scene.Narrator;
 /** A control or readout that takes one row of a {@link Panel}. */
 public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
 
-    /** Height of a row on a desk, px. */
+    /** Height of a row in a desktop window, px. */
     double ROW = 30;
 
     /** Height of a row, px. */
@@ -39,12 +39,12 @@ public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
         return true;
     }
 
-    /** Its name in links; empty where links leave it as it is. */
+    /** Its name in links; empty if links do not set it. */
     default String linked() {
         return "";
     }
 
-    /** What it is set to, as links say it. */
+    /** Its value as text in links. */
     default String setting() {
         return "";
     }
@@ -54,7 +54,7 @@ public sealed interface Widget permits Button, Choice, Slider, Toggle, Readout {
         return false;
     }
 
-    /** The name in links of what has a key: its last word. */
+    /** The name in links made from a key of the bundles: the last word of the key. */
     static String linked(String key) {
         return key.substring(key.indexOf('.') + 1);
     }

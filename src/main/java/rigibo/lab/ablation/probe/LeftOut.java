@@ -10,9 +10,9 @@ import java.util.List;
 /**
  * A scene without one of its effects and without those that need it.
  *
- * @param scene the whole
- * @param effect simple name of what is left out
- * @param remaining what is still declared
+ * @param scene the whole scene
+ * @param effect simple name of the effect left out
+ * @param remaining the effects still declared
  */
 public record LeftOut(Workload scene, String effect, Effects remaining) {
 

@@ -7,7 +7,7 @@ public enum Share {
     HALF,
     ALL;
 
-    /** The number of users among so many bodies. */
+    /** The number of users among a number of bodies. */
     public int of(int bodies) {
         return switch (this) {
             case NONE -> 0;

@@ -57,7 +57,7 @@ public record Use(
         return users(body -> List.of(change.apply(body)));
     }
 
-    /** A copy whose users need other bodies beside them. */
+    /** A copy whose users come with other bodies. */
     Use users(Function<BodyDefinition, List<BodyDefinition>> bodies) {
         return new Use(scene, base, effect, neutral, words, bodies, idler, push);
     }

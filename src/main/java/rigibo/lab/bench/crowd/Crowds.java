@@ -36,7 +36,7 @@ public final class Crowds {
     /**
      * Makes the runs that are missing.
      *
-     * @param kept what was found so far
+     * @param kept the results so far
      * @param tell is told how far it is
      * @return by engine and size
      * @throws IllegalStateException when a process breaks off, with what it said

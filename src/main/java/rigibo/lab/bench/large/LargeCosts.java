@@ -8,7 +8,7 @@ package rigibo.lab.bench.large;
  * @param first the first step
  * @param step a later step, the median
  * @param most the slowest of them
- * @param ask a question which body is at a point
+ * @param ask a query for the body at a point
  * @param snapshot a snapshot
  * @param remove a body removed
  * @param asleep a step of as many bodies in heaps, all of them asleep

@@ -1,2 +1,2 @@
-/** What each body costs in very large worlds. */
+/** The cost of a body in very large worlds. */
 package rigibo.lab.bench.large;

@@ -8,12 +8,13 @@ import java.util.Arrays;
  * What happened in a scene in one engine, and how long it took.
  *
  * @param nanos processor time of each step, the median of several runs, ns
- * @param contacts of each step; empty where the engine does not tell
- * @param lastMoving the last step after which a body was faster than counts as still; −1 where none
+ * @param contacts of each step; empty if the engine does not report them
+ * @param lastMoving the last step after which a body was too fast to count as still; −1 if there is
+ *     none
  * @param deepest overlap after any step, in widths of the smaller body
- * @param left overlap after the last step, likewise
- * @param gain greatest energy beyond the start's, as a share of it, while nothing is driven; NaN
- *     where something is
+ * @param left overlap after the last step, in the same unit
+ * @param gain greatest energy beyond that at the start, as a share of it; NaN if something is
+ *     driven
  * @param bytes allocated in a step, median
  * @param jointError the most that a joint was off after any step, m
  */

@@ -24,10 +24,10 @@ import java.util.function.Consumer;
  * Runs each moving scene in every contestant, each run in its own process.
  *
  * @param scenes in the order of the report
- * @param contestants likewise
+ * @param contestants in the order of the report
  * @param steps of each scene at most
- * @param runs by which each step is timed
- * @param out directory in which what was found is kept
+ * @param runs number of runs by which each step is timed
+ * @param out directory where results are kept
  */
 public record MovingBench(
         List<BenchScene> scenes, List<Contestant> contestants, int steps, int runs, Path out) {
@@ -48,7 +48,7 @@ public record MovingBench(
      * Makes the runs that are missing.
      *
      * @param tell is told how far it is
-     * @return what all runs found
+     * @return the results of all runs
      * @throws IllegalStateException when a process breaks off, with what it said
      */
     public Report run(Consumer<String> tell) {

@@ -3,7 +3,7 @@ package rigibo.lab.bench.probe;
 import java.util.Arrays;
 import java.util.stream.DoubleStream;
 
-/** What each of one or more steps took or allocated. */
+/** Times or allocated bytes of one or more steps. */
 public final class StepTimes {
 
     private final double[] sorted;

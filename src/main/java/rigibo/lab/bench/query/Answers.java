@@ -1,11 +1,11 @@
 package rigibo.lab.bench.query;
 
 /**
- * What a process found.
+ * The measurements of a process.
  *
  * @param nanos by {@link Rays}: processor time of a ray, ns, the median of all runs
- * @param met by {@link Rays}: share of the way that rays go on average, by which engines are
- *     compared
- * @param sensing what sensors add to a step, ns; 0 where that was not asked
+ * @param met by {@link Rays}: share of their length that rays go on average, to check that engines
+ *     agree
+ * @param sensing time that sensors add to a step, ns; 0 if it was not measured
  */
 record Answers(double[] nanos, double[] met, double sensing) {}

@@ -49,7 +49,7 @@ public final class QueryProbe {
     private QueryProbe() {}
 
     /**
-     * Prints what was found.
+     * Prints the measurements.
      *
      * @param arguments names of engine and setting, number of runs
      */

@@ -3,8 +3,8 @@ package rigibo.lab.bench.scene;
 /**
  * Which steps of a scene are timed.
  *
- * @param rehearsal s for which the scene is run in other worlds before, so that what is timed is
- *     compiled: needed where few steps come before the timed ones
+ * @param rehearsal time for which the scene runs in other worlds first, s, so that the timed code
+ *     is compiled; needed where few steps come before the timed ones
  * @param settling steps of the timed world that are not timed
  * @param timed steps after them
  */

@@ -3,7 +3,7 @@ package rigibo.lab.bench.workers;
 import rigibo.backend.Pool;
 
 /**
- * Who makes the steps of a pool.
+ * The workers that make the steps of a pool.
  *
  * @param workers their number
  * @param areRehearsed whether one thread does the work of all, and times are computed

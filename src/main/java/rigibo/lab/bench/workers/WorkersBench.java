@@ -18,13 +18,13 @@ import java.util.function.Consumer;
 
 /**
  * Runs each step of a scene in pools with different numbers of workers in turn and times it by the
- * wall clock, which is what a player waits for. Of workers that are rehearsed the time is computed:
- * the longest path of the work.
+ * wall clock, which is what a player waits for. The time of rehearsed workers is computed: the
+ * longest path of the work.
  *
  * @param scenes in the order of the report
- * @param crews who makes the steps; the first is what the others are compared with
+ * @param crews the workers that make the steps; the others are compared with the first
  * @param steps of each scene
- * @param runs by whose median each step is timed, after one that is not
+ * @param runs number of runs whose median is the time of a step, after an untimed one
  */
 public record WorkersBench(List<BenchScene> scenes, List<Crew> crews, int steps, int runs) {
 

@@ -1,2 +1,2 @@
-/** What more workers gain: the same steps made by one and by several. */
+/** The gain of several workers: the same steps made by one and by several. */
 package rigibo.lab.bench.workers;

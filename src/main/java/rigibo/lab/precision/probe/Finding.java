@@ -9,10 +9,10 @@ import java.util.Optional;
 /**
  * The result of an engine at a problem.
  *
- * @param errors how far from the truth it ended, or why it failed
- * @param steps made, of all worlds together
- * @param work what they did, counted
- * @param timing what they took; empty where it was not measured
+ * @param errors errors of the run, or why it failed
+ * @param steps number of steps, of all worlds together
+ * @param work counted work of these steps
+ * @param timing times of the steps; empty if they were not measured
  */
 public record Finding(Errors errors, long steps, Work work, Optional<Timing> timing) {
 

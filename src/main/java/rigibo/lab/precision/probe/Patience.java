@@ -3,10 +3,11 @@ package rigibo.lab.precision.probe;
 /**
  * The time that a process may spend on all its settings together.
  *
- * @param warmMillis at least, after errors were found and before anything is timed
- * @param timedMillis at least
- * @param repeats of each setting at least, unless they would take longer than is to be borne
- * @param mostMillis after which no repeat is begun
+ * @param warmMillis least time for warming up, after errors were computed and before anything is
+ *     timed
+ * @param timedMillis least time that is timed
+ * @param repeats least number of repeats of each setting, unless they would take too long
+ * @param mostMillis time after which no further repeat begins
  */
 public record Patience(double warmMillis, double timedMillis, int repeats, double mostMillis) {
 

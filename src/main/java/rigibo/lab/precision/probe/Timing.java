@@ -5,12 +5,12 @@ import rigibo.lab.problem.StepTally;
 /**
  * The times of a step, without set-up and reading.
  *
- * @param repeats that were timed, after warming up: turns, each of the whole problem, once or more
- * @param cpu median over the repeats, µs of the thread's own processor time a step
- * @param cpuLow lower end of where that median lies with 95 %, µs
- * @param cpuHigh upper end, µs
- * @param wall median, µs a step by the clock on the wall
- * @param bytes allocated a step, median
+ * @param repeats number of timed repeats after warming up, each of the whole problem once or more
+ * @param cpu median over the repeats of the thread's processor time per step, µs
+ * @param cpuLow lower end of the median's 95 % interval, µs
+ * @param cpuHigh upper end of that interval, µs
+ * @param wall median time per step by the wall clock, µs
+ * @param bytes median bytes allocated per step
  */
 public record Timing(
         int repeats, double cpu, double cpuLow, double cpuHigh, double wall, double bytes) {

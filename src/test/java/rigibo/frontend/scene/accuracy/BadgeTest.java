@@ -13,7 +13,7 @@ import rigibo.frontend.scene.Words;
 
 class BadgeTest {
 
-    /** Beside the dial, from its end to the bar's, px. */
+    /** Width from the end of the dial to the end of the bar, px. */
     private static final double ROOM = Scene.WIDTH - 8 - (8 + 5 + Dial.width(Layout.ALONE) + 9);
 
     @ParameterizedTest

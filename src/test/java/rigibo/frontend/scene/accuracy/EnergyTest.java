@@ -19,7 +19,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
-/** What a pool's energy consists of, and what its declared effects may do with it. */
+/** The parts of a pool's energy, and what the declared effects may do to it. */
 class EnergyTest {
 
     private static final Gravity GRAVITY = new Gravity(0, -10);

@@ -31,7 +31,7 @@ class CostMeterTest {
 
     private static final long ASKED = 700;
 
-    /** Of the game's clock, longer than any rest after a trial. */
+    /** Time on the game's clock that is longer than any pause after a trial. */
     private static final long LATER = 100_000_000_000L;
 
     private long now;

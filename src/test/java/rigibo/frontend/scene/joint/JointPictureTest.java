@@ -114,7 +114,7 @@ class JointPictureTest {
         assertThat(rope).isCloseTo(0.8 + 2 + 1.3, within(1e-6));
     }
 
-    /** What is far outside of the window costs nothing. */
+    /** Joints far outside the window cost nothing. */
     @Test
     void whatIsFarAwayIsNotDrawn() {
         pool.join(DistanceJoint.rope(wall, -1, 2, ball, 1, 1, 4));

@@ -15,7 +15,7 @@ import rigibo.lab.engine.World;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** What questions are asked, and how what they cost is told. */
+/** The queries of the bench, and the report of their cost. */
 class QueryBenchTest {
 
     private static final Contestant OURS = new Contestant("RigiBo", "GAME");

@@ -57,7 +57,7 @@ class MovingScenesTest {
         assertThat(MovingScenes.named(name).scene().get().dynamic()).isEqualTo(bodies);
     }
 
-    /** What overlaps from the start would be measured as if the engine had let it. */
+    /** Overlap at the start would be counted as if the engine had allowed it. */
     @Test
     void nothingOverlapsAtTheStartAndNothingSleeps() {
         Engine ours = Engines.all().get(0);

@@ -12,8 +12,8 @@ import rigibo.lab.engine.RigiBoEngine;
 import rigibo.lab.engine.World;
 
 /**
- * What a step of ours does, in counters that no clock changes, within bounds that geometry sets. A
- * step that does more than its scene calls for is found here on any machine.
+ * The work of our steps, in counters that depend on no clock, within bounds that follow from
+ * geometry. So a step that does more than its scene calls for is found on any machine.
  */
 class WorkOfScenesTest {
 
@@ -49,7 +49,10 @@ class WorkOfScenesTest {
         assertCarried(afterSteps(Pyramids.field(2, 3, 5), 60), 5, 6);
     }
 
-    /** Whoever leaned on the lost box is woken in the same step, to no more work than if awake. */
+    /**
+     * Bodies that leaned on the lost box wake in the same step, with no more work than if they had
+     * been awake.
+     */
     @Test
     void sleepersThatLoseABoxAreAsMuchWorkAsIfTheyHadBeenAwake() {
         int settling = 120;
@@ -70,7 +73,7 @@ class WorkOfScenesTest {
         long beside = (long) pyramids * above;
         assertThat(work.contacts()).isBetween(carrying, carrying + beside);
         assertThat(work.pairs()).isBetween(work.contacts(), carrying + beside);
-        // What rests by what it carries is not solved again.
+        // A body that its loads keep at rest is not solved again.
         assertThat(work.rows()).isZero();
         assertThat(work.impacts()).isZero();
         assertThat(work.evaluations()).isZero();
