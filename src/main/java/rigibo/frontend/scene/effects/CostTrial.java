@@ -29,6 +29,9 @@ final class CostTrial implements Trial<CostTrial.Result> {
 
     private static final int RUNS = 2;
 
+    /** Where a run begins, in steps: with two copies, each a piece of its own. */
+    private static final int BEGIN = -WARMING_STEPS - 2;
+
     /** No step is begun any more once a run has taken so long, ns. */
     private static final long LONGEST_RUN = 300_000_000;
 
@@ -42,10 +45,10 @@ final class CostTrial implements Trial<CostTrial.Result> {
     private Pool present;
     private Pool other;
 
-    /** Runs that are over; the next step of the one that is not, which begins with copies. */
+    /** Runs that are over, and the next step of the one that is not. */
     private int runs;
 
-    private int step = -WARMING_STEPS - 1;
+    private int step = BEGIN;
     private long runNanos;
     private long nanos;
     private boolean hasWoken;
@@ -77,12 +80,14 @@ final class CostTrial implements Trial<CostTrial.Result> {
      */
     record Result(double step, double difference, boolean hasWoken, long nanos) {}
 
-    /** Makes two copies, or a step of each. */
+    /** Makes one of two copies, or a step of each. */
     @Override
     public Optional<Result> goOn() {
         long begin = clock.getAsLong();
-        if (step < -WARMING_STEPS) {
-            copy();
+        if (step == BEGIN) {
+            present = Pool.restore(snapshot, effects);
+        } else if (step < -WARMING_STEPS) {
+            copyOther();
         } else {
             makeSteps();
         }
@@ -95,14 +100,13 @@ final class CostTrial implements Trial<CostTrial.Result> {
         }
         if (step >= steps) {
             runs++;
-            step = -WARMING_STEPS - 1;
+            step = BEGIN;
             runNanos = 0;
         }
         return runs == RUNS ? Optional.of(result()) : Optional.empty();
     }
 
-    private void copy() {
-        present = Pool.restore(snapshot, effects);
+    private void copyOther() {
         other = Pool.restore(snapshot, effects);
         other.effects(switched);
         boolean isSleepSwitched = effects.declares(Sleep.class) != switched.declares(Sleep.class);
