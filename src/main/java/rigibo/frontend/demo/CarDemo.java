@@ -98,6 +98,12 @@ final class CarDemo implements Demo {
         return new Camera(-AHEAD, BELOW, SCALE);
     }
 
+    /** More is seen of the way ahead. */
+    @Override
+    public Camera cameraUpright() {
+        return new Camera(AHEAD, BELOW, SCALE);
+    }
+
     @Override
     public void build(Workbench on) {
         bench = on;
@@ -279,7 +285,8 @@ final class CarDemo implements Demo {
             Camera camera = on.camera();
             double scale = camera.scale();
             double share = SCALE / scale;
-            camera.look(car.chassis.x() - share * AHEAD, car.chassis.y() + share * BELOW, scale);
+            double x = car.chassis.x() + share * camera.homeX();
+            camera.look(x, car.chassis.y() + share * BELOW, scale);
         }
     }
 

@@ -27,6 +27,11 @@ interface Demo {
     /** The initial view. */
     Camera camera();
 
+    /** The initial view in a window of a hand that is higher than wide: no plates lie beside it. */
+    default Camera cameraUpright() {
+        return camera();
+    }
+
     /** Puts the bodies on a fresh workbench. */
     void build(Workbench bench);
 

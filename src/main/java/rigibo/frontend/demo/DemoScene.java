@@ -7,6 +7,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Grip;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Pinch;
@@ -54,6 +55,10 @@ final class DemoScene implements Scene {
     private boolean isDebugging;
     private boolean isHelping;
     private boolean isPanning;
+
+    /** Whether the view began in an upright window in a hand. */
+    private boolean isUpright;
+
     private double lastX;
     private double lastY;
 
@@ -71,6 +76,7 @@ final class DemoScene implements Scene {
             bench.close();
         }
         bench = new Workbench(demo.effects(), camera);
+        isUpright = false;
         demo.build(bench);
         choices = new Choices(demo.widgets());
         plates =
@@ -163,6 +169,7 @@ final class DemoScene implements Scene {
 
     @Override
     public void draw(Canvas canvas) {
+        turn(canvas.layout());
         bench.draw(canvas);
         if (isDebugging) {
             bench.drawDebug(canvas, STEP);
@@ -175,6 +182,15 @@ final class DemoScene implements Scene {
         plates.draw(canvas, isPaused, buttons(), HandButtons.ofAddress(director));
         if (!canvas.layout().isInHand()) {
             drawNotes(canvas);
+        }
+    }
+
+    /** Begins the view anew where a hand has turned the window. */
+    private void turn(Layout layout) {
+        boolean isUprightNow = layout.isInHand() && layout.isUpright();
+        if (isUprightNow != isUpright) {
+            isUpright = isUprightNow;
+            bench.camera().begin(isUpright ? demo.cameraUpright() : demo.camera());
         }
     }
 

@@ -82,6 +82,12 @@ final class FrictionDemo implements Demo {
         return new Camera(3.2, -2.1, 42);
     }
 
+    /** The lanes begin at the left edge. */
+    @Override
+    public Camera cameraUpright() {
+        return new Camera(8.2, -2.1, 42);
+    }
+
     /** On ice a box slides far. */
     @Override
     public boolean goesOnToTheRight() {

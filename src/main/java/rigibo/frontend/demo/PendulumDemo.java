@@ -98,6 +98,11 @@ final class PendulumDemo implements Demo {
     }
 
     @Override
+    public Camera cameraUpright() {
+        return new Camera(0, 0.58, 95);
+    }
+
+    @Override
     public void build(Workbench on) {
         bench = on;
         lay();

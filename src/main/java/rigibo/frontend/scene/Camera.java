@@ -11,9 +11,9 @@ public final class Camera {
     private static final double LEAST_SCALE = 2;
     private static final double MOST_SCALE = 800;
 
-    private final double homeX;
-    private final double homeY;
-    private final double homeScale;
+    private double homeX;
+    private double homeY;
+    private double homeScale;
     private double centreX;
     private double centreY;
     private double scale;
@@ -39,6 +39,19 @@ public final class Camera {
     public static Camera ofPuzzle() {
         return new Camera(
                 Scene.WIDTH / 2 / DEFAULT_SCALE, Scene.HEIGHT / 2 / DEFAULT_SCALE, DEFAULT_SCALE);
+    }
+
+    /** Begins anew with the initial view of another camera. */
+    public void begin(Camera other) {
+        homeX = other.homeX;
+        homeY = other.homeY;
+        homeScale = other.homeScale;
+        home();
+    }
+
+    /** World x in the middle of the initial view, m. */
+    public double homeX() {
+        return homeX;
     }
 
     /** Returns to the initial view. */

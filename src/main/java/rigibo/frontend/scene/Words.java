@@ -2,7 +2,9 @@ package rigibo.frontend.scene;
 
 import java.text.MessageFormat;
 import java.util.Locale;
+import java.util.Map;
 import java.util.ResourceBundle;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -19,6 +21,9 @@ public final class Words {
     private final Locale locale;
     private final ResourceBundle bundle;
     private final KeyBindings bindings;
+
+    /** Texts without places for values, which every picture asks for again. */
+    private final Map<String, String> plain = new ConcurrentHashMap<>();
 
     /**
      * The words of a language, with the keys as they are at first.
@@ -46,6 +51,19 @@ public final class Words {
      * @throws java.util.MissingResourceException when no language has the key
      */
     public String of(String key, Object... values) {
+        if (values.length > 0) {
+            return written(key, values);
+        }
+        // Not computeIfAbsent: a text may name a key, whose name is a text.
+        String known = plain.get(key);
+        if (known == null) {
+            known = written(key);
+            plain.put(key, known);
+        }
+        return known;
+    }
+
+    private String written(String key, Object... values) {
         return new MessageFormat(withKeys(bundle.getString(key)), locale).format(values);
     }
 

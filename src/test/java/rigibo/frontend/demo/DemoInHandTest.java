@@ -67,6 +67,22 @@ class DemoInHandTest {
         }
     }
 
+    /** On a desk, plates lie where an upright window in a hand would be empty. */
+    @Test
+    void lanesBeginAtTheLeftEdgeOfAnUprightWindow() {
+        Scene scene = FrictionDemo.entry().open().apply(new RecordingDirector("en"));
+        double upright = middleOfSign(scene, Legibility.HANDS.get(1));
+        assertThat(upright).isLessThan(Scene.WIDTH / 4.0);
+        for (Layout other : List.of(Layout.ALONE, Legibility.HANDS.get(3))) {
+            assertThat(middleOfSign(scene, other)).isGreaterThan(upright + Scene.WIDTH / 5.0);
+        }
+        scene.closed();
+    }
+
+    private static double middleOfSign(Scene scene, Layout layout) {
+        return RecordingCanvas.of(scene, layout).firstMiddleOf("ice holds")[0];
+    }
+
     private static void touch(Scene scene, Layout layout, String words) {
         double[] at = RecordingCanvas.of(scene, layout).firstMiddleOf(words);
         scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);

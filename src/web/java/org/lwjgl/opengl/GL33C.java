@@ -33,9 +33,6 @@ public final class GL33C {
 
     private static WebGL2RenderingContext gl;
 
-    /** What is sent to WebGL next; grows. */
-    private static Float32Array sent = new Float32Array(1 << 12);
-
     private GL33C() {}
 
     /** Takes the canvas that all calls are about. */
@@ -121,14 +118,7 @@ public final class GL33C {
 
     /** Sends what is between a buffer's position and its limit. */
     public static void glBufferData(int kind, FloatBuffer floats, int use) {
-        int count = floats.remaining();
-        if (sent.getLength() < count) {
-            sent = new Float32Array(2 * count);
-        }
-        for (int i = 0; i < count; i++) {
-            sent.set(i, floats.get(i));
-        }
-        send(gl, kind, sent, count, use);
+        send(gl, kind, Float32Array.fromJavaBuffer(floats.slice()), use);
     }
 
     public static void glDeleteBuffers(int buffer) {
@@ -272,8 +262,8 @@ public final class GL33C {
             int type);
 
     @JSBody(
-            params = {"gl", "kind", "floats", "count", "use"},
-            script = "gl.bufferData(kind, floats, use, 0, count);")
+            params = {"gl", "kind", "floats", "use"},
+            script = "gl.bufferData(kind, floats, use);")
     private static native void send(
-            WebGL2RenderingContext gl, int kind, Float32Array floats, int count, int use);
+            WebGL2RenderingContext gl, int kind, Float32Array floats, int use);
 }

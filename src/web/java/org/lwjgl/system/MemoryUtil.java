@@ -1,19 +1,23 @@
 package org.lwjgl.system;
 
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 
-/** Buffers of floats on the heap, whose memory comes back by itself. */
+/** Buffers of floats where WebGL reads them without a copy; their memory comes back by itself. */
 public final class MemoryUtil {
 
     private MemoryUtil() {}
 
     public static FloatBuffer memAllocFloat(int size) {
-        return FloatBuffer.allocate(size);
+        return ByteBuffer.allocateDirect(size * Float.BYTES)
+                .order(ByteOrder.nativeOrder())
+                .asFloatBuffer();
     }
 
     /** A larger buffer with what was put into one; its position stays. */
     public static FloatBuffer memRealloc(FloatBuffer before, int size) {
-        FloatBuffer larger = FloatBuffer.allocate(size);
+        FloatBuffer larger = memAllocFloat(size);
         before.flip();
         return larger.put(before);
     }

@@ -25,6 +25,11 @@ public final class Paper {
 
     private static CanvasRenderingContext2D pen;
 
+    /** What the canvas was last told; it forgets it where its size changes. */
+    private static Color filling;
+
+    private static String style;
+
     private Paper() {}
 
     /** Takes the canvas that is drawn on. */
@@ -34,6 +39,8 @@ public final class Paper {
 
     /** Begins a picture. */
     public static void clear() {
+        filling = null;
+        style = null;
         pen.setTransform(1, 0, 0, 1, 0, 0);
         pen.clearRect(0, 0, pen.getCanvas().getWidth(), pen.getCanvas().getHeight());
     }
@@ -49,7 +56,18 @@ public final class Paper {
     }
 
     static void fillWith(Color color) {
-        fillWith(pen, color(color));
+        if (!color.equals(filling)) {
+            filling = color;
+            fillWith(pen, color(color));
+        }
+    }
+
+    /** Writes in a style of the browser's from now on. */
+    static void writeIn(String wanted) {
+        if (!wanted.equals(style)) {
+            style = wanted;
+            writeIn(pen, text(wanted));
+        }
     }
 
     static void strokeWith(double width, Color color) {
@@ -87,6 +105,11 @@ public final class Paper {
             params = {"pen", "style"},
             script = "pen.fillStyle = style;")
     private static native void fillWith(JSObject pen, JSString style);
+
+    @JSBody(
+            params = {"pen", "style"},
+            script = "pen.font = style;")
+    private static native void writeIn(JSObject pen, JSString style);
 
     @JSBody(
             params = {"pen", "style"},

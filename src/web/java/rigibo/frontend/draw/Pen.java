@@ -82,7 +82,8 @@ final class Pen {
                     case RIGHT -> x - width;
                 };
         Paper.fillWith(color);
-        write(pen, face.style(size), Paper.text(text), left, y + face.drop(size));
+        Paper.writeIn(face.style(size));
+        write(pen, Paper.text(text), left, y + face.drop(size));
     }
 
     double textWidth(String text, double size, Font font) {
@@ -118,8 +119,7 @@ final class Pen {
             JSObject pen, double x, double y, double width, double height, double corner);
 
     @JSBody(
-            params = {"pen", "style", "words", "x", "y"},
-            script = "pen.font = style; pen.fillText(words, x, y);")
-    private static native void write(
-            JSObject pen, JSString style, JSString words, double x, double y);
+            params = {"pen", "words", "x", "y"},
+            script = "pen.fillText(words, x, y);")
+    private static native void write(JSObject pen, JSString words, double x, double y);
 }

@@ -22,25 +22,34 @@ final class Typeface {
 
     private final String name;
 
+    /** The style in which is measured. */
+    private final String sample;
+
     /** The browser's size for each px of ours. */
     private final double share;
 
     /** From the middle of the height down to the line that letters stand on, for each px. */
     private final double drop;
 
+    /** Width of every letter of one px if all are of the same width, or 0. */
+    private final double letter;
+
     /** Widths of texts of one px. */
     private final Map<String, Double> widths = new HashMap<>();
 
-    private final Map<Double, JSString> styles = new HashMap<>();
+    private final Map<Double, String> styles = new HashMap<>();
 
     Typeface(String name) {
         this.name = name;
         CanvasRenderingContext2D pen = Paper.pen();
-        pen.setFont(SAMPLE + "px " + name);
+        sample = SAMPLE + "px " + name;
+        Paper.writeIn(sample);
         double above = above(pen);
         double below = below(pen);
         share = SAMPLE / (above + below);
         drop = (above - below) / 2 / (above + below);
+        double narrow = measured("i");
+        letter = narrow == measured("W") ? narrow : 0;
     }
 
     double drop(double size) {
@@ -48,27 +57,39 @@ final class Typeface {
     }
 
     /** The style of a size for the browser. */
-    JSString style(double size) {
-        return styles.computeIfAbsent(size, px -> JSString.valueOf(share * px + "px " + name));
+    String style(double size) {
+        return styles.computeIfAbsent(size, px -> share * px + "px " + name);
     }
 
     double width(String words, double size) {
+        if (letter > 0 && isPlain(words)) {
+            return size * letter * words.length();
+        }
         if (widths.size() > MOST) {
             widths.clear();
         }
         return size * widths.computeIfAbsent(words, this::measured);
     }
 
+    /** Whether another typeface writes none of the letters. */
+    private static boolean isPlain(String words) {
+        for (int i = 0; i < words.length(); i++) {
+            if (words.charAt(i) < ' ' || words.charAt(i) > '~') {
+                return false;
+            }
+        }
+        return true;
+    }
+
     private double measured(String words) {
-        return share
-                * width(Paper.pen(), JSString.valueOf(SAMPLE + "px " + name), Paper.text(words))
-                / SAMPLE;
+        Paper.writeIn(sample);
+        return share * width(Paper.pen(), Paper.text(words)) / SAMPLE;
     }
 
     @JSBody(
-            params = {"pen", "style", "words"},
-            script = "pen.font = style; return pen.measureText(words).width;")
-    private static native double width(JSObject pen, JSString style, JSString words);
+            params = {"pen", "words"},
+            script = "return pen.measureText(words).width;")
+    private static native double width(JSObject pen, JSString words);
 
     @JSBody(params = "pen", script = "return pen.measureText('x').fontBoundingBoxAscent;")
     private static native double above(JSObject pen);

@@ -1,9 +1,11 @@
 package rigibo.frontend.sound;
 
+import org.lwjgl.system.MemoryUtil;
 import org.teavm.jso.JSBody;
 import org.teavm.jso.JSObject;
 import org.teavm.jso.typedarrays.Float32Array;
 
+import java.nio.FloatBuffer;
 import java.util.HashMap;
 import java.util.Map;
 
@@ -39,14 +41,17 @@ final class Device {
 
     private JSObject buffer(Sample sample) {
         short[] values = sample.values();
-        Float32Array floats = new Float32Array(values.length);
-        for (int i = 0; i < values.length; i++) {
-            floats.set(i, values[i] / FULL_SCALE);
+        FloatBuffer floats = MemoryUtil.memAllocFloat(values.length);
+        for (short value : values) {
+            floats.put(value / FULL_SCALE);
         }
-        return buffer(context, floats, Sample.RATE);
+        return buffer(context, Float32Array.fromJavaBuffer(floats.flip()), Sample.RATE);
     }
 
-    /** Starts a sample on a voice, in place of what it plays. */
+    /**
+     * Starts a sample on a voice, in place of what it plays; none before the browser lets the page
+     * sound.
+     */
     void play(int voice, Sample sample, double gain, double pitch) {
         if (voices[voice] != null) {
             stop(voices[voice]);
@@ -95,12 +100,13 @@ final class Device {
     @JSBody(
             params = {"context", "output", "buffer", "gain", "pitch", "isEndless"},
             script =
-                    "var source = context.createBufferSource(); var own = context.createGain();"
+                    "if (!isEndless && context.state !== 'running') { return null; }"
+                            + "var source = context.createBufferSource();"
+                            + "var own = context.createGain();"
                             + "source.buffer = buffer; source.loop = isEndless;"
                             + "source.playbackRate.value = pitch; own.gain.value = gain;"
                             + "source.connect(own); own.connect(output);"
-                            + "if (isEndless || context.state === 'running') { source.start(); }"
-                            + "return {source: source, gain: own.gain};")
+                            + "source.start(); return {source: source, gain: own.gain};")
     private static native JSObject start(
             JSObject context,
             JSObject output,
@@ -109,7 +115,7 @@ final class Device {
             double pitch,
             boolean isEndless);
 
-    @JSBody(params = "voice", script = "try { voice.source.stop(); } catch (neverStarted) { }")
+    @JSBody(params = "voice", script = "voice.source.stop();")
     private static native void stop(JSObject voice);
 
     @JSBody(

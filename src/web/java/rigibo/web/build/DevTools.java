@@ -74,22 +74,31 @@ final class DevTools implements Page {
 
     @Override
     public void size(int width, int height) throws IOException, InterruptedException {
-        size(width, height, false);
+        size(width, height, 1, false);
+    }
+
+    /** Makes the page as large as a window, with a number of pixels for each of the page's. */
+    void size(int width, int height, double ratio) throws IOException, InterruptedException {
+        size(width, height, ratio, false);
     }
 
     /** Makes the page as large as that of a phone that is touched, px. */
     void phone(int width, int height) throws IOException, InterruptedException {
-        size(width, height, true);
+        size(width, height, 1, true);
         send("Emulation.setTouchEmulationEnabled", "\"enabled\":true");
     }
 
-    private void size(int width, int height, boolean isMobile)
+    private void size(int width, int height, double ratio, boolean isMobile)
             throws IOException, InterruptedException {
         send(
                 "Emulation.setDeviceMetricsOverride",
                 String.format(
-                        "\"width\":%d,\"height\":%d,\"deviceScaleFactor\":1,\"mobile\":%b",
-                        width, height, isMobile));
+                        Locale.ROOT,
+                        "\"width\":%d,\"height\":%d,\"deviceScaleFactor\":%.2f,\"mobile\":%b",
+                        width,
+                        height,
+                        ratio,
+                        isMobile));
     }
 
     @Override

@@ -10,7 +10,9 @@ import java.util.Locale;
 
 /**
  * How many pictures a second the page makes in Chromium, what its own work for one takes, and
- * whether the world keeps real time, with all of the processor and with a quarter of it.
+ * whether the world keeps real time, with all of the processor and with a quarter of it. Where
+ * WebGL is computed by the processor, pixels hide the rest: so once with all of them, and once with
+ * next to none, which leaves the page all of its work and a graphics card's undone.
  */
 final class PaceTable {
 
@@ -22,18 +24,28 @@ final class PaceTable {
     /** Chromium slows the page down by these. */
     private static final List<Integer> SLOWER = List.of(1, 4);
 
+    /** Pixels for each length of one in the page: as many as it has, and a hundredth of those. */
+    private static final List<Double> RATIOS = List.of(1.0, 0.1);
+
+    /** Notes the work of each picture, ms, and sums up the share of real time over time. */
     private static final String COUNTING =
-            "const ask = window.requestAnimationFrame.bind(window); window.works = [];"
-                + " window.requestAnimationFrame = made => ask(at => { const begin ="
-                + " performance.now(); made(at); window.works.push(performance.now() - begin); });";
+            "const ask = window.requestAnimationFrame.bind(window);"
+                    + " window.works = []; window.real = 0; let last = performance.now();"
+                    + " window.requestAnimationFrame = made => ask(at => {"
+                    + " const begin = performance.now(); made(at); const end = performance.now();"
+                    + " works.push(end - begin); real += (end - last) * rigiboPace(); last = end;"
+                    + " });";
 
     /** Pictures a second, the median and the 95th percentile of the work, ms, and the pace. */
     private static final String COUNTED =
-            "new Promise(done => setTimeout(() => { window.works.length = 0; const begin ="
-                + " performance.now(); setTimeout(() => { const count = window.works.length, took ="
-                + " performance.now() - begin; const sorted = window.works.sort((a, b) => a - b);"
-                + " done([1000 * count / took, sorted[count >> 1], sorted[Math.floor(0.95 *"
-                + " count)], 100 * window.rigiboPace()].map(one => one.toFixed(1)).join(' ')); }, "
+            "new Promise(done => setTimeout(() => {"
+                    + " works.length = 0; real = 0; const begin = performance.now();"
+                    + " setTimeout(() => {"
+                    + " const count = works.length, took = performance.now() - begin;"
+                    + " const sorted = works.sort((a, b) => a - b);"
+                    + " done([1000 * count / took, sorted[count >> 1],"
+                    + " sorted[Math.floor(0.95 * count)], 100 * real / took]"
+                    + ".map(one => one.toFixed(1)).join(' ')); }, "
                     + MEASURED
                     + "); }, "
                     + WARMING
@@ -47,21 +59,24 @@ final class PaceTable {
                 PageCheck.levels().stream()
                         .max(Comparator.comparingInt(level -> level.bodies().size()))
                         .orElseThrow();
-        System.out.println("| scene | processor | pictures/s | work, p50 | p95 | real time |");
-        System.out.println("|---|---|---|---|---|---|");
+        System.out.println(
+                "| scene | pixels | processor | pictures/s | work, p50 | p95 | real time |");
+        System.out.println("|---|---|---|---|---|---|---|");
         for (String scene : List.of(most.id(), "flood?count=300")) {
-            for (int slower : SLOWER) {
-                System.out.println(row(browser, folder, scene, slower));
+            for (double ratio : RATIOS) {
+                for (int slower : SLOWER) {
+                    System.out.println(row(browser, folder, scene, ratio, slower));
+                }
             }
         }
     }
 
-    private static String row(Browser browser, Path folder, String scene, int slower)
+    private static String row(Browser browser, Path folder, String scene, double ratio, int slower)
             throws IOException, InterruptedException {
         try (LocalServer server = new LocalServer(folder, 0);
                 Browser.Window window = browser.open()) {
             DevTools page = new DevTools(window.port());
-            page.size(MouseCheck.WIDTH, MouseCheck.HEIGHT);
+            page.size(MouseCheck.WIDTH, MouseCheck.HEIGHT, ratio);
             page.begin(COUNTING);
             page.send("Emulation.setCPUThrottlingRate", "\"rate\":" + slower);
             page.open(server.address("#" + scene));
@@ -72,8 +87,9 @@ final class PaceTable {
             page.close();
             return String.format(
                     Locale.ROOT,
-                    "| `%s` | 1/%d | %s | %s ms | %s ms | %s %% |",
+                    "| `%s` | 1/%.0f | 1/%d | %s | %s ms | %s ms | %s %% |",
                     scene,
+                    1 / (ratio * ratio),
                     slower,
                     counted[0],
                     counted[1],

@@ -1,21 +1,11 @@
 package rigibo.web.library;
 
-import java.util.concurrent.Executor;
-import java.util.function.Supplier;
-
 /** What will be known later, and is waited for by nobody. */
 public final class CompletableFuture<T> {
 
     private T value;
-    private RuntimeException failure;
+    private Throwable failure;
     private boolean isDone;
-
-    /** A value that an executor finds out. */
-    public static <T> CompletableFuture<T> supplyAsync(Supplier<T> source, Executor executor) {
-        CompletableFuture<T> future = new CompletableFuture<>();
-        executor.execute(() -> future.find(source));
-        return future;
-    }
 
     /** A value that is known already. */
     public static <T> CompletableFuture<T> completedFuture(T value) {
@@ -30,18 +20,15 @@ public final class CompletableFuture<T> {
         return true;
     }
 
+    public boolean completeExceptionally(Throwable thrown) {
+        failure = thrown;
+        isDone = true;
+        return true;
+    }
+
     /** The value if it is there. */
     public T getNow(T otherwise) {
         return isDone ? value : otherwise;
-    }
-
-    private void find(Supplier<T> source) {
-        try {
-            value = source.get();
-        } catch (RuntimeException thrown) {
-            failure = thrown;
-        }
-        isDone = true;
     }
 
     public boolean isDone() {
@@ -54,7 +41,7 @@ public final class CompletableFuture<T> {
             throw new IllegalStateException("nobody can wait in a page");
         }
         if (failure != null) {
-            throw failure;
+            throw new IllegalStateException(failure);
         }
         return value;
     }

@@ -3,7 +3,11 @@ package rigibo.web.library;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -22,40 +26,70 @@ final class Format {
     /** Digits of a group. */
     private static final int GROUP = 3;
 
+    /** The places of each format that was written: there are few, and they are written again. */
+    private static final Map<String, List<Place>> KNOWN = new HashMap<>();
+
     private final Locale locale;
 
     Format(Locale locale) {
         this.locale = locale;
     }
 
+    /** Where in a format a value stands, and how it is written. */
+    private record Place(int begin, int end, String flags, int width, int digits, char kind) {
+
+        static List<Place> of(String format) {
+            List<Place> places = new ArrayList<>();
+            Matcher found = PLACE.matcher(format);
+            while (found.find()) {
+                places.add(
+                        new Place(
+                                found.start(),
+                                found.end(),
+                                found.group(1),
+                                number(found.group(2), 0),
+                                number(found.group(3), USUAL),
+                                found.group(4).charAt(0)));
+            }
+            return places;
+        }
+
+        private static int number(String digits, int otherwise) {
+            return digits == null || digits.isEmpty() ? otherwise : Integer.parseInt(digits);
+        }
+
+        String padded(String value) {
+            String padding =
+                    (flags.contains("0") ? "0" : " ").repeat(Math.max(0, width - value.length()));
+            return flags.contains("-") ? value + padding : padding + value;
+        }
+    }
+
     String of(String format, Object... values) {
         StringBuilder text = new StringBuilder();
-        Matcher place = PLACE.matcher(format);
         int end = 0;
         int next = 0;
-        while (place.find()) {
-            text.append(format, end, place.start());
-            end = place.end();
-            char kind = place.group(4).charAt(0);
-            if (kind == '%' || kind == 'n') {
-                text.append(kind == '%' ? "%" : "\n");
+        for (Place place : KNOWN.computeIfAbsent(format, Place::of)) {
+            text.append(format, end, place.begin);
+            end = place.end;
+            if (place.kind == '%' || place.kind == 'n') {
+                text.append(place.kind == '%' ? "%" : "\n");
             } else {
-                text.append(padded(place, value(place, kind, values[next++])));
+                text.append(place.padded(value(place, values[next++])));
             }
         }
         return text.append(format.substring(end)).toString();
     }
 
-    private String value(Matcher place, char kind, Object value) {
-        String flags = place.group(1);
-        int digits = place.group(3) == null ? USUAL : Integer.parseInt(place.group(3));
-        return switch (kind) {
+    private String value(Place place, Object value) {
+        String flags = place.flags;
+        return switch (place.kind) {
             case 's', 'b', 'c' -> String.valueOf(value);
             case 'd' -> signed(flags, grouped(flags, value.toString()));
             case 'x' -> Long.toHexString(((Number) value).longValue());
-            case 'f' -> signed(flags, grouped(flags, fixed((Number) value, digits)));
-            case 'e' -> signed(flags, scientific((Number) value, digits));
-            default -> throw new IllegalArgumentException("no value is written by %" + kind);
+            case 'f' -> signed(flags, grouped(flags, fixed((Number) value, place.digits)));
+            case 'e' -> signed(flags, scientific((Number) value, place.digits));
+            default -> throw new IllegalArgumentException("no value is written by %" + place.kind);
         };
     }
 
@@ -119,13 +153,5 @@ final class Format {
             text.insert(at, isGerman() ? '.' : ',');
         }
         return text.toString();
-    }
-
-    private static String padded(Matcher place, String value) {
-        int width = place.group(2).isEmpty() ? 0 : Integer.parseInt(place.group(2));
-        String flags = place.group(1);
-        String padding =
-                (flags.contains("0") ? "0" : " ").repeat(Math.max(0, width - value.length()));
-        return flags.contains("-") ? value + padding : padding + value;
     }
 }

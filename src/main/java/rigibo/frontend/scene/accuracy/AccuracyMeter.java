@@ -56,9 +56,7 @@ public final class AccuracyMeter {
         Subject of = subject;
         trial =
                 trials.start(
-                        () ->
-                                AccuracyTrial.run(
-                                        snapshot, of.effects(), of.accuracy(), trials.clock()));
+                        new AccuracyTrial(snapshot, of.effects(), of.accuracy(), trials.clock()));
     }
 
     private void collect() {

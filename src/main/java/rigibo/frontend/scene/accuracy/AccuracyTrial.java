@@ -6,8 +6,10 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyType;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.trial.Trial;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.LongSupplier;
 
 /**
@@ -15,7 +17,7 @@ import java.util.function.LongSupplier;
  * accuracy, at DRAFT and at EXACT. The three are stepped in turn, so that other work of the machine
  * affects all of them alike.
  */
-final class AccuracyTrial {
+final class AccuracyTrial implements Trial<AccuracyTrial.Result> {
 
     /** Half a second: longer, and of a chaotic scene only the chaos would be told. */
     static final int STEPS = 30;
@@ -28,18 +30,35 @@ final class AccuracyTrial {
 
     private static final int FEWEST_STEPS = WARMING_STEPS + 2;
 
-    private final LongSupplier clock;
-    private final Pool present;
-    private final Pool draft;
-    private final Pool exact;
-    private long presentNanos;
-    private long draftNanos;
+    private static final int PRESENT = 0;
+    private static final int DRAFT = 1;
+    private static final int EXACT = 2;
 
-    private AccuracyTrial(byte[] snapshot, Effects effects, Accuracy accuracy, LongSupplier clock) {
+    private final byte[] snapshot;
+    private final Effects effects;
+    private final Accuracy[] accuracies;
+    private final LongSupplier clock;
+    private final Pool[] copies = new Pool[EXACT + 1];
+
+    /** Time of all timed steps of each copy, ns. */
+    private final long[] stepNanos = new long[copies.length];
+
+    private int pieces;
+    private long nanos;
+
+    /**
+     * A trial that has not begun.
+     *
+     * @param snapshot of the pool
+     * @param effects simulated there; given beside the snapshot because functions are not in it
+     * @param accuracy the present one
+     * @param clock ns
+     */
+    AccuracyTrial(byte[] snapshot, Effects effects, Accuracy accuracy, LongSupplier clock) {
+        this.snapshot = snapshot;
+        this.effects = effects;
         this.clock = clock;
-        present = copy(snapshot, effects, accuracy);
-        draft = copy(snapshot, effects, Accuracy.DRAFT);
-        exact = copy(snapshot, effects, Accuracy.EXACT);
+        accuracies = new Accuracy[] {accuracy, Accuracy.DRAFT, Accuracy.EXACT};
     }
 
     /**
@@ -59,51 +78,41 @@ final class AccuracyTrial {
         }
     }
 
-    /**
-     * Runs one.
-     *
-     * @param snapshot of the pool
-     * @param effects simulated there; given beside the snapshot because functions are not in it
-     * @param accuracy the present one
-     * @param clock ns
-     */
-    static Result run(byte[] snapshot, Effects effects, Accuracy accuracy, LongSupplier clock) {
+    /** Makes a copy, or a step of one; copies take turns. */
+    @Override
+    public Optional<Result> goOn() {
         long begin = clock.getAsLong();
-        AccuracyTrial trial = new AccuracyTrial(snapshot, effects, accuracy, clock);
-        int steps = 0;
-        while (steps < FEWEST_STEPS || steps < STEPS && clock.getAsLong() - begin < LONGEST) {
-            trial.round(steps >= WARMING_STEPS);
-            steps++;
+        int turn = pieces % copies.length;
+        if (pieces < copies.length) {
+            copies[turn] = Pool.restore(snapshot, effects);
+            copies[turn].accuracy(accuracies[turn]);
+        } else {
+            copies[turn].step(Scene.STEP);
+            stepNanos[turn] += steps() >= WARMING_STEPS ? clock.getAsLong() - begin : 0;
         }
-        double price = (double) trial.presentNanos / trial.draftNanos;
-        return new Result(price, trial.error(), steps, clock.getAsLong() - begin);
+        pieces++;
+        nanos += clock.getAsLong() - begin;
+        return isOver() ? Optional.of(result()) : Optional.empty();
     }
 
-    private static Pool copy(byte[] snapshot, Effects effects, Accuracy accuracy) {
-        Pool pool = Pool.restore(snapshot, effects);
-        pool.accuracy(accuracy);
-        return pool;
+    /** That every copy has made. */
+    private int steps() {
+        return pieces / copies.length - 1;
     }
 
-    private void round(boolean isTimed) {
-        long ofPresent = time(present);
-        long ofDraft = time(draft);
-        exact.step(Scene.STEP);
-        if (isTimed) {
-            presentNanos += ofPresent;
-            draftNanos += ofDraft;
-        }
+    private boolean isOver() {
+        boolean isRound = pieces % copies.length == 0;
+        return isRound && steps() >= FEWEST_STEPS && (steps() == STEPS || nanos >= LONGEST);
     }
 
-    private long time(Pool pool) {
-        long begin = clock.getAsLong();
-        pool.step(Scene.STEP);
-        return clock.getAsLong() - begin;
+    private Result result() {
+        double price = (double) stepNanos[PRESENT] / stepNanos[DRAFT];
+        return new Result(price, error(), steps(), nanos);
     }
 
     private double error() {
-        List<RigidBody> here = present.bodies();
-        List<RigidBody> there = exact.bodies();
+        List<RigidBody> here = copies[PRESENT].bodies();
+        List<RigidBody> there = copies[EXACT].bodies();
         double squares = 0;
         int count = 0;
         for (int i = 0; i < here.size(); i++) {

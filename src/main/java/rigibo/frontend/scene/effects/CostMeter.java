@@ -150,8 +150,7 @@ public final class CostMeter {
         long share = isWatched ? WATCHED_SHARE : UNWATCHED_SHARE;
         byte[] snapshot = trials.snapshot(subject, share);
         Effects switched = Switching.of(subject.effects(), effect).effects().orElseThrow();
-        CostTrial wanted = new CostTrial(snapshot, subject.effects(), switched, trials.clock());
-        trial = trials.start(wanted::run);
+        trial = trials.start(new CostTrial(snapshot, subject.effects(), switched, trials.clock()));
     }
 
     private long now() {

@@ -6,8 +6,10 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.setup.BodyType;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.trial.Trial;
 
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.function.LongSupplier;
 
 /**
@@ -17,7 +19,7 @@ import java.util.function.LongSupplier;
  * contains an interruption. The result is the mean, not the median, because an occasional slow step
  * is the pool's own doing.
  */
-final class CostTrial {
+final class CostTrial implements Trial<CostTrial.Result> {
 
     /** The first steps of a restored pool also lay out its scratch. */
     private static final int WARMING_STEPS = 2;
@@ -26,6 +28,9 @@ final class CostTrial {
     private static final int MEASURED_STEPS = 8;
 
     private static final int RUNS = 2;
+
+    /** Where a run begins, in steps: with two copies, each a piece of its own. */
+    private static final int BEGIN = -WARMING_STEPS - 2;
 
     /** No step is begun any more once a run has taken so long, ns. */
     private static final long LONGEST_RUN = 300_000_000;
@@ -37,6 +42,15 @@ final class CostTrial {
     private final long[] presentTimes = new long[MEASURED_STEPS];
     private final long[] otherTimes = new long[MEASURED_STEPS];
     private int steps = MEASURED_STEPS;
+    private Pool present;
+    private Pool other;
+
+    /** Runs that are over, and the next step of the one that is not. */
+    private int runs;
+
+    private int step = BEGIN;
+    private long runNanos;
+    private long nanos;
     private boolean hasWoken;
 
     /**
@@ -66,20 +80,34 @@ final class CostTrial {
      */
     record Result(double step, double difference, boolean hasWoken, long nanos) {}
 
-    Result run() {
+    /** Makes one of two copies, or a step of each. */
+    @Override
+    public Optional<Result> goOn() {
         long begin = clock.getAsLong();
-        for (int i = 0; i < RUNS; i++) {
-            runOnce();
+        if (step == BEGIN) {
+            present = Pool.restore(snapshot, effects);
+        } else if (step < -WARMING_STEPS) {
+            copyOther();
+        } else {
+            makeSteps();
         }
-        double step = mean(presentTimes);
-        double difference = mean(otherTimes) - step;
-        return new Result(step, difference, hasWoken, clock.getAsLong() - begin);
+        step++;
+        long took = clock.getAsLong() - begin;
+        nanos += took;
+        runNanos += took;
+        if (step > 0 && runNanos > LONGEST_RUN) {
+            steps = step;
+        }
+        if (step >= steps) {
+            runs++;
+            step = BEGIN;
+            runNanos = 0;
+        }
+        return runs == RUNS ? Optional.of(result()) : Optional.empty();
     }
 
-    private void runOnce() {
-        long begin = clock.getAsLong();
-        Pool present = Pool.restore(snapshot, effects);
-        Pool other = Pool.restore(snapshot, effects);
+    private void copyOther() {
+        other = Pool.restore(snapshot, effects);
         other.effects(switched);
         boolean isSleepSwitched = effects.declares(Sleep.class) != switched.declares(Sleep.class);
         hasWoken = !isSleepSwitched && sleeps(present);
@@ -87,17 +115,22 @@ final class CostTrial {
             // Changing the effects wakes everybody, so the other pool is woken, too.
             present.effects(effects);
         }
-        for (int i = -WARMING_STEPS; i < steps; i++) {
-            // Whoever goes second finds warm caches: they take turns.
-            boolean isFirst = i % 2 == 0;
-            long early = time(isFirst ? present : other);
-            long late = time(isFirst ? other : present);
-            if (i >= 0) {
-                presentTimes[i] = Math.min(presentTimes[i], isFirst ? early : late);
-                otherTimes[i] = Math.min(otherTimes[i], isFirst ? late : early);
-                steps = clock.getAsLong() - begin > LONGEST_RUN ? i + 1 : steps;
-            }
+    }
+
+    private void makeSteps() {
+        // Whoever goes second finds warm caches: they take turns.
+        boolean isFirst = step % 2 == 0;
+        long early = time(isFirst ? present : other);
+        long late = time(isFirst ? other : present);
+        if (step >= 0) {
+            presentTimes[step] = Math.min(presentTimes[step], isFirst ? early : late);
+            otherTimes[step] = Math.min(otherTimes[step], isFirst ? late : early);
         }
+    }
+
+    private Result result() {
+        double mean = mean(presentTimes);
+        return new Result(mean, mean(otherTimes) - mean, hasWoken, nanos);
     }
 
     private static boolean sleeps(Pool pool) {

@@ -1,11 +1,11 @@
 package rigibo.frontend.scene.trial;
 
-import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.function.BooleanSupplier;
 
 /** A thread beside the loop, which begins with the first work that it is given. */
-final class Background implements Executor {
+final class Background {
 
     private final ExecutorService thread = Executors.newSingleThreadExecutor(Background::thread);
 
@@ -16,9 +16,9 @@ final class Background implements Executor {
         return thread;
     }
 
-    @Override
-    public void execute(Runnable work) {
-        thread.execute(work);
+    /** Does all pieces of a trial, after those of the trials before. */
+    void take(BooleanSupplier pieces) {
+        thread.execute(() -> Trials.all(pieces));
     }
 
     /** Ends the thread, whatever it does. */

@@ -1,9 +1,11 @@
 package rigibo.frontend.scene.trial;
 
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import java.util.function.Supplier;
 
 /**
  * Runs trials, and keeps the snapshot from which they start. Several meters share it: their trials
@@ -14,7 +16,9 @@ public final class Trials {
     /** A snapshot is taken again after so long at the earliest, ns. */
     private static final long SNAPSHOT_PERIOD = 1_000_000_000;
 
-    private final Executor runner;
+    /** Takes pieces one after the other, as long as there is another one. */
+    private final Consumer<BooleanSupplier> runner;
+
     private final LongSupplier clock;
     private final Runnable end;
     private Subject subject;
@@ -22,7 +26,7 @@ public final class Trials {
     private long taken;
     private long nanos;
 
-    private Trials(Executor runner, LongSupplier clock, Runnable end) {
+    private Trials(Consumer<BooleanSupplier> runner, LongSupplier clock, Runnable end) {
         this.runner = runner;
         this.clock = clock;
         this.end = end;
@@ -30,13 +34,13 @@ public final class Trials {
 
     /** Trials that are run by {@code runner} and timed by a clock in ns. */
     public static Trials on(Executor runner, LongSupplier clock) {
-        return new Trials(runner, clock, () -> {});
+        return new Trials(pieces -> runner.execute(() -> all(pieces)), clock, () -> {});
     }
 
     /** Trials with a thread of their own, which begins with the first of them. */
     public static Trials inBackground() {
         Background thread = new Background();
-        return new Trials(thread, System::nanoTime, thread::close);
+        return new Trials(thread::take, System::nanoTime, thread::close);
     }
 
     /** Ends the thread; call when the scene is over. */
@@ -50,8 +54,29 @@ public final class Trials {
     }
 
     /** Hands a trial over; it is done when the thread has come to it. */
-    public <R> CompletableFuture<R> start(Supplier<R> trial) {
-        return CompletableFuture.supplyAsync(trial, runner);
+    public <R> CompletableFuture<R> start(Trial<R> trial) {
+        CompletableFuture<R> outcome = new CompletableFuture<>();
+        runner.accept(() -> goesOn(trial, outcome));
+        return outcome;
+    }
+
+    private static <R> boolean goesOn(Trial<R> trial, CompletableFuture<R> outcome) {
+        try {
+            Optional<R> found = trial.goOn();
+            found.ifPresent(outcome::complete);
+            return found.isEmpty();
+        } catch (RuntimeException broken) {
+            outcome.completeExceptionally(broken);
+            return false;
+        }
+    }
+
+    /** Does all pieces of a trial at once. */
+    static void all(BooleanSupplier pieces) {
+        boolean isAnother = true;
+        while (isAnother) {
+            isAnother = pieces.getAsBoolean();
+        }
     }
 
     /**
