@@ -52,7 +52,7 @@ final class DemoScene implements Scene {
     private final WholePlate whole;
     private boolean isPaused;
     private boolean isDebugging;
-    private boolean isHelping;
+    private HelpSheet help = HelpSheet.CLOSED;
     private boolean isPanning;
     private double lastX;
     private double lastY;
@@ -192,9 +192,7 @@ final class DemoScene implements Scene {
         if (isDebugging) {
             DebugLegend.draw(canvas, director.words(), LEGEND_LEFT, HEIGHT - LEGEND_ABOVE);
         }
-        if (isHelping) {
-            HelpSheet.draw(director.words(), bench.pool().plan(), canvas);
-        }
+        help.draw(director.words(), demo.name(), bench.pool().plan(), canvas);
     }
 
     @Override
@@ -270,6 +268,13 @@ final class DemoScene implements Scene {
     }
 
     @Override
+    public boolean escaped() {
+        boolean isHelping = help != HelpSheet.CLOSED;
+        help = HelpSheet.CLOSED;
+        return isHelping;
+    }
+
+    @Override
     public void keyPressed(Key key) {
         if (plates.keyPressed(key)) {
             return;
@@ -282,7 +287,7 @@ final class DemoScene implements Scene {
             case D -> isDebugging = !isDebugging;
             case LEFT_BRACKET -> showBeside(-1);
             case RIGHT_BRACKET -> showBeside(1);
-            case F1, H -> isHelping = !isHelping;
+            case F1, H -> help = help.next();
             default -> demo.key(bench, key);
         }
     }
