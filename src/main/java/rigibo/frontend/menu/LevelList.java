@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 
 /**
  * The levels, world by world, and the player's progress in them. Levels count from 0 over all
- * worlds, worlds from 1.
+ * worlds, worlds from 1; the player's own are in a world of their own, in which all are open.
  *
  * <p>What opens is counted, never a chain of levels: so a level that is moved or taken away closes
  * nothing, and one that is too hard stops nobody.
@@ -82,7 +82,9 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
 
     /** Number of levels of its world to solve that open a level, once the world is open. */
     int opensWithin(int level) {
-        return Math.max(0, place(level) - OPEN_AT_FIRST + 1);
+        return world(level) == SceneEntry.Challenge.OWN
+                ? 0
+                : Math.max(0, place(level) - OPEN_AT_FIRST + 1);
     }
 
     /** A level that was open once stays open. */

@@ -23,7 +23,7 @@ public record SceneEntry(
      * What there is to win in a level, and what it looks like.
      *
      * @param hash of the level, as progress names it
-     * @param world number of the world that the level is in, from 1
+     * @param world number of the world that the level is in, from 1, or {@link #OWN}
      * @param par clicks of a gold medal
      * @param picture the level at its start
      * @param watch the player's best run that was kept, as it is watched; nothing where none was
@@ -36,6 +36,9 @@ public record SceneEntry(
             Picture picture,
             Function<Director, Optional<Scene>> watch,
             Optional<Function<Words, String>> star) {
+
+        /** The world of levels that a player made. */
+        public static final int OWN = 0;
 
         /** The best medal by what a player has done in the level; none before it is solved so. */
         public Optional<Medal> medal(LevelProgress done) {
