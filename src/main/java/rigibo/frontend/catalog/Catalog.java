@@ -8,9 +8,11 @@ import rigibo.frontend.laboratory.Laboratory;
 import rigibo.frontend.menu.KeysScene;
 import rigibo.frontend.menu.LevelsScene;
 import rigibo.frontend.menu.MenuScene;
+import rigibo.frontend.menu.OwnLevelsScene;
 import rigibo.frontend.menu.SettingsScene;
 import rigibo.frontend.puzzle.Films;
 import rigibo.frontend.puzzle.Levels;
+import rigibo.frontend.puzzle.OwnLevels;
 import rigibo.frontend.puzzle.PlayerFiles;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Link;
@@ -141,6 +143,16 @@ public final class Catalog {
 
     /** The list of levels. */
     public static Scene levels(Director director) {
-        return new LevelsScene(director, entries(), Levels.made());
+        List<SceneEntry> besides = new ArrayList<>(Levels.made());
+        if (director.levels().filter(OwnLevels::areIn).isPresent()) {
+            besides.add(SceneEntry.of("own", Catalog::own));
+        }
+        return new LevelsScene(director, entries(), besides);
+    }
+
+    /** The list of levels that the player made. */
+    private static Scene own(Director director) {
+        OwnLevels own = OwnLevels.in(director.levels().orElseThrow());
+        return new OwnLevelsScene(director, own.entries(), own.broken(), Editor.entry());
     }
 }

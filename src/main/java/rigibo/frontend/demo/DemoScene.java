@@ -53,7 +53,7 @@ final class DemoScene implements Scene {
     private final WholePlate whole;
     private boolean isPaused;
     private boolean isDebugging;
-    private boolean isHelping;
+    private HelpSheet help = HelpSheet.CLOSED;
     private boolean isPanning;
 
     /** Whether the view began in an upright window in a hand. */
@@ -208,9 +208,7 @@ final class DemoScene implements Scene {
         if (isDebugging) {
             DebugLegend.draw(canvas, director.words(), LEGEND_LEFT, HEIGHT - LEGEND_ABOVE);
         }
-        if (isHelping) {
-            HelpSheet.draw(director.words(), bench.pool().plan(), canvas);
-        }
+        help.draw(director.words(), demo.name(), bench.pool().plan(), canvas);
     }
 
     @Override
@@ -286,6 +284,13 @@ final class DemoScene implements Scene {
     }
 
     @Override
+    public boolean escaped() {
+        boolean isHelping = help != HelpSheet.CLOSED;
+        help = HelpSheet.CLOSED;
+        return isHelping;
+    }
+
+    @Override
     public void keyPressed(Key key) {
         if (plates.keyPressed(key)) {
             return;
@@ -298,7 +303,7 @@ final class DemoScene implements Scene {
             case D -> isDebugging = !isDebugging;
             case LEFT_BRACKET -> showBeside(-1);
             case RIGHT_BRACKET -> showBeside(1);
-            case F1, H -> isHelping = !isHelping;
+            case F1, H -> help = help.next();
             default -> demo.key(bench, key);
         }
     }

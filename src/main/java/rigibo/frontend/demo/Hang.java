@@ -21,6 +21,9 @@ final class Hang {
 
     static final double G = 9.81;
 
+    /** Of the force that the pin bears while a chain hangs still. */
+    static final String PULL = "m·g";
+
     /** Number of links of the chain. */
     static final int LINKS = 30;
 

@@ -4,54 +4,96 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Print;
 
 import java.util.ArrayList;
 import java.util.List;
 
-/** The keys of a demo, and the stages into which its step was compiled. */
-final class HelpSheet {
+/**
+ * What F1 shows over a demo: to the player what there is to see and which keys do what, and on a
+ * page of its own the stages into which the engine compiled a step.
+ */
+enum HelpSheet {
+    CLOSED,
+    PLAYER,
+    STAGES;
 
-    /** Number of lines with keys. */
-    private static final int KEYS = 7;
+    /** Rows of keys and what they do. */
+    private static final int ROWS = 16;
 
-    private static final double TOP = 36;
-    private static final double KEY_SIZE = 18;
-    private static final double KEY_HEIGHT = 28;
-    private static final double HEADING = 240;
+    private static final double TITLE = 56;
+    private static final double TITLE_SIZE = 28;
+    private static final double TEXT = 102;
+    private static final double TEXT_SIZE = 18;
+    private static final double LINE = 26;
+
+    private static final double TABLE = 212;
+    private static final double ROW = 32;
+
+    /** Where keys end, and where what they do begins, px. */
+    private static final double KEYS = 250;
+
+    private static final double MEANINGS = 274;
+
     private static final double PLAN_SIZE = 16;
-    private static final double PLAN_HEIGHT = 23;
+    private static final double PLAN = 112;
     private static final double LEFT = 40;
+    private static final double WIDTH = Scene.WIDTH - 2 * LEFT;
 
     /** The column in which the words begin, after the stage they belong to. */
     private static final String INDENT = " ".repeat(11);
 
-    private HelpSheet() {}
+    /** What F1 leads to. */
+    HelpSheet next() {
+        return values()[(ordinal() + 1) % values().length];
+    }
 
-    /** Draws the keys and the lines of a plan. */
-    static void draw(Words words, String plan, Canvas canvas) {
+    /** Draws it over the demo of a name, whose step is compiled to the lines of a plan. */
+    void draw(Words words, String name, String plan, Canvas canvas) {
+        if (this == CLOSED) {
+            return;
+        }
         // Covers everything with a veil, since words would shine through a panel.
         canvas.cover(Color.DUSK_TOP.alpha(0.96));
-        for (int i = 0; i < KEYS; i++) {
-            centred(words.of("help.keys." + i), TOP + KEY_HEIGHT * i, Color.TEXT, canvas);
-        }
-        centred(words.of("help.plan"), HEADING, Color.BRASS, canvas);
-        double y = HEADING + 2 * PLAN_HEIGHT;
-        for (String line : wrapped(plan, canvas)) {
-            canvas.text(
-                    line, LEFT, y, PLAN_SIZE, Canvas.Font.NUMBERS, Canvas.Align.LEFT, Color.TEXT);
-            y += PLAN_HEIGHT;
+        String title = words.of("scene." + name);
+        if (this == PLAYER) {
+            drawTitle(canvas, title);
+            drawWhatThereIsToSee(canvas, words.of("help." + name));
+            drawKeys(canvas, words);
+        } else {
+            drawTitle(canvas, words.of("help.plan", title));
+            drawPlan(canvas, plan);
         }
     }
 
-    private static void centred(String words, double y, Color color, Canvas canvas) {
-        canvas.text(
-                words,
-                Scene.WIDTH / 2.0,
-                y,
-                KEY_SIZE,
-                Canvas.Font.WORDS,
-                Canvas.Align.CENTRE,
-                color);
+    private static void drawTitle(Canvas canvas, String title) {
+        Print.centred(canvas, title, Scene.WIDTH / 2.0, TITLE, TITLE_SIZE, Color.BRASS);
+    }
+
+    private static void drawWhatThereIsToSee(Canvas canvas, String text) {
+        double y = TEXT;
+        for (String line : Lines.of(canvas, text, TEXT_SIZE, Canvas.Font.WORDS, WIDTH)) {
+            Print.centred(canvas, line, Scene.WIDTH / 2.0, y, TEXT_SIZE, Color.TEXT);
+            y += LINE;
+        }
+    }
+
+    private static void drawKeys(Canvas canvas, Words words) {
+        for (int i = 0; i < ROWS; i++) {
+            double y = TABLE + i * ROW;
+            Print.right(canvas, words.of("help.key." + i), KEYS, y, TEXT_SIZE, Color.BRASS);
+            Print.left(canvas, words.of("help.does." + i), MEANINGS, y, TEXT_SIZE, Color.TEXT);
+        }
+    }
+
+    private static void drawPlan(Canvas canvas, String plan) {
+        double y = PLAN;
+        for (String line : wrapped(plan, canvas)) {
+            canvas.text(
+                    line, LEFT, y, PLAN_SIZE, Canvas.Font.NUMBERS, Canvas.Align.LEFT, Color.TEXT);
+            y += LINE;
+        }
     }
 
     /** Wraps the lines of a plan at the edge of the window, between words. */
@@ -73,7 +115,6 @@ final class HelpSheet {
     }
 
     private static boolean fits(String line, Canvas canvas) {
-        double width = canvas.textWidth(line, PLAN_SIZE, Canvas.Font.NUMBERS);
-        return width <= Scene.WIDTH - 2 * LEFT;
+        return canvas.textWidth(line, PLAN_SIZE, Canvas.Font.NUMBERS) <= WIDTH;
     }
 }

@@ -140,6 +140,7 @@ final class PendulumDemo implements Demo {
                 new Readout(words.of("pendulum.measured"), () -> seconds(measured())),
                 new Readout(words.of("pendulum.error"), this::error),
                 new Readout(words.of("pendulum.pull"), () -> newtons(pull())),
+                new Readout("", () -> isSwing() ? Swing.PULL : Hang.PULL),
                 new Readout(words.of("pendulum.tension"), () -> newtons(tension())),
                 new Readout(words.of("pendulum.energy"), this::energy),
                 new Readout(words.of("pendulum.drift"), this::drift),

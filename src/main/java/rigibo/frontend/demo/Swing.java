@@ -16,6 +16,9 @@ final class Swing {
     /** The formula of the period; M is the arithmetic-geometric mean. */
     static final String FORMULA = "2π√(L/g)/M(1, cos½θ)";
 
+    /** Of the force that the pin bears, without the bob's own inertia. */
+    static final String PULL = "≈ m·(g·cosθ + L·ω²)";
+
     /** Relative difference at which the arithmetic-geometric mean has converged. */
     private static final double MEAN_TOLERANCE = 1e-15;
 

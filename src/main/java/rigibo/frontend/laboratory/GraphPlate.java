@@ -10,6 +10,7 @@ import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
 
 import java.util.List;
+import java.util.Optional;
 
 /** A quantity of both worlds, now and over the last ten seconds, with a note below. */
 final class GraphPlate {
@@ -48,12 +49,12 @@ final class GraphPlate {
         plate = at;
     }
 
-    /** Draws the distance of the worlds, on a logarithmic scale. */
-    void drawDistance(Canvas canvas, Divergence divergence, String note) {
+    /** Draws the distance of the worlds, on a logarithmic scale, and news or else a question. */
+    void drawDistance(
+            Canvas canvas, Divergence divergence, Optional<String> news, String question) {
         head(canvas, Quantity.DISTANCE, "laboratory.distance");
         number(canvas, Metres.words(words, divergence.distance()), right());
-        String told = divergence.parting().map(parting -> parting.in(words)).orElse(note);
-        Plate graph = note(canvas, told, divergence.parting().isPresent());
+        Plate graph = note(canvas, news.orElse(question), news.isPresent());
         curve.draw(canvas, divergence, graph.x(), graph.y(), graph.width(), graph.height());
     }
 

@@ -258,7 +258,8 @@ final class LaboratoryScene implements Scene {
         if (drawer == EXPERT) {
             expert.draw(canvas);
         } else if (Quantity.values()[drawer] == Quantity.DISTANCE) {
-            plate.drawDistance(canvas, divergence, note());
+            boolean isNew = !keeping.told().isEmpty();
+            plate.drawDistance(canvas, divergence, isNew ? Optional.of(note()) : parting(), note());
         } else {
             plate.draw(canvas, log, Quantity.values()[drawer], note());
         }
@@ -270,8 +271,16 @@ final class LaboratoryScene implements Scene {
                 : keeping.told();
     }
 
+    private Optional<String> parting() {
+        return divergence.parting().map(parting -> parting.in(words));
+    }
+
     private void press(int button) {
         String name = experiments.get(chosen).name();
+        if (button > EXPERT && drawer == EXPERT) {
+            // Below a graph is told where the file is; beside the sliders is no room for that.
+            drawer = Quantity.DISTANCE.ordinal();
+        }
         if (button == TABLE) {
             keeping.table(name, log.table(about()));
         } else if (button == PICTURE) {

@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 
 /**
  * The levels, world by world, and the player's progress in them. Levels count from 0 over all
- * worlds, worlds from 1.
+ * worlds, worlds from 1; the player's own are in a world of their own, in which all are open.
  *
  * <p>Levels open by the number of levels solved, not one after the other. So moving or removing a
  * level closes no other, and nobody gets stuck at a level that is too hard.
@@ -82,7 +82,9 @@ record LevelList(List<SceneEntry> levels, Progress progress) {
 
     /** Number of levels of its world to solve that open a level, once the world is open. */
     int opensWithin(int level) {
-        return Math.max(0, place(level) - OPEN_AT_FIRST + 1);
+        return world(level) == SceneEntry.Challenge.OWN
+                ? 0
+                : Math.max(0, place(level) - OPEN_AT_FIRST + 1);
     }
 
     /** A level that was open once stays open. */

@@ -59,7 +59,7 @@ public final class LevelsScene implements Scene {
     /**
      * A list of the levels among some entries, with the next one to play selected.
      *
-     * @param made what leads to levels that are made by chance, two at most
+     * @param made what leads to levels that are made by chance, or by the player; three at most
      */
     public LevelsScene(Director director, List<SceneEntry> entries, List<SceneEntry> made) {
         this.made = List.copyOf(made);

@@ -212,6 +212,8 @@ public final class MenuScene implements Scene {
         Plate heading = places.heading();
         Print.left(canvas, words.of("menu.physics"), heading.x(), heading.y(), 20, Color.TEXT);
         if (!canvas.layout().isInHand()) {
+            double right = Scene.WIDTH - heading.x();
+            Print.right(canvas, words.of("menu.help"), right, heading.y(), 16, Color.TEXT_DIM);
             drawKeys(canvas);
         }
         if (notice.isShown()) {

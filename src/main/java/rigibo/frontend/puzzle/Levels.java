@@ -17,6 +17,7 @@ import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** The levels as scenes: those of the game, and one opened from a file. */
@@ -33,6 +34,13 @@ public final class Levels {
             entries.add(entry(levels, i, placed.get(i).world()));
         }
         return entries;
+    }
+
+    /** An entry for each of a player's levels, each of which leads to the next. */
+    static List<SceneEntry> own(List<Level> levels) {
+        return IntStream.range(0, levels.size())
+                .mapToObj(number -> entry(levels, number, SceneEntry.Challenge.OWN))
+                .toList();
     }
 
     /** What leads to levels that are made by chance: that of the day, and the endless ones. */

@@ -23,7 +23,7 @@ public record SceneEntry(
      * What can be won in a level, and its picture.
      *
      * @param hash of the level, as progress names it
-     * @param world number of the level's world, from 1
+     * @param world number of the level's world, from 1, or {@link #OWN}
      * @param par clicks of a gold medal
      * @param picture the level at its start
      * @param watch opens the player's best run; empty where none was kept
@@ -36,6 +36,9 @@ public record SceneEntry(
             Picture picture,
             Function<Director, Optional<Scene>> watch,
             Optional<Function<Words, String>> star) {
+
+        /** The world of levels that a player made. */
+        public static final int OWN = 0;
 
         /** The best medal by what a player has done in the level; none before it is solved so. */
         public Optional<Medal> medal(LevelProgress done) {

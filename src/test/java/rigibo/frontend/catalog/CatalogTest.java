@@ -3,7 +3,13 @@ package rigibo.frontend.catalog;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
 import java.util.stream.Stream;
@@ -17,5 +23,13 @@ class CatalogTest {
                 .extracting(SceneEntry::name)
                 .hasSizeGreaterThan(100)
                 .doesNotHaveDuplicates();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void theMenuHasRoomForItsWordsHoweverLarge(String language) {
+        Scene menu = Catalog.menu(new RecordingDirector(language));
+        Layout large = Layout.ALONE.withText(1.3, menu.mostType());
+        assertThat(RecordingCanvas.of(menu, large).texts()).noneMatch(words -> words.endsWith("…"));
     }
 }

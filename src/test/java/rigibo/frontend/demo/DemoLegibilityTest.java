@@ -77,7 +77,31 @@ class DemoLegibilityTest {
             scene.keyPressed(key);
             run(scene, 2);
             assertLegible(scene);
+            scene.closed();
         }
+    }
+
+    /** F1 helps whoever plays; what the engine does is on a page of its own, and Esc leads back. */
+    @ParameterizedTest
+    @MethodSource("demos")
+    void helpAndTheStagesOfAStepAreTwoPages(SceneEntry demo, String language) {
+        Scene scene = open(demo, language);
+        run(scene, 2);
+        String stage = "BROADPHASE";
+        assertThat(shown(scene)).doesNotContain("F1");
+        scene.keyPressed(Key.F1);
+        assertThat(shown(scene)).contains("F1").doesNotContain(stage);
+        scene.keyPressed(Key.F1);
+        assertLegible(scene);
+        assertThat(shown(scene)).contains(stage);
+        assertThat(scene.escaped()).as("back to the demo").isTrue();
+        assertThat(shown(scene)).doesNotContain(stage);
+        assertThat(scene.escaped()).as("to the menu").isFalse();
+        scene.closed();
+    }
+
+    private static String shown(Scene scene) {
+        return String.join("\n", RecordingCanvas.of(scene).texts());
     }
 
     /** What is told of the dial, of the numbers beside or below it, and of each effect. */

@@ -137,6 +137,12 @@ class LaboratorySceneTest {
         click(scene, "Picture");
         assertThat(director.pictures)
                 .containsExactly(folder.resolve("measurements/billiard-1.png"));
+        run(scene, 90);
+        assertThat(scene.divergence().parting()).as("which is told where files are").isPresent();
+        scene.keyPressed(Key.X);
+        RecordingCanvas.of(scene);
+        scene.keyPressed(Key.C);
+        assertThat(String.join("", RecordingCanvas.of(scene).texts())).contains("billiard-3.csv");
     }
 
     @Test

@@ -35,6 +35,7 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Plate;
 
 import tools.jackson.databind.JsonNode;
@@ -117,6 +118,13 @@ class MadeLevelsTest {
     @ValueSource(longs = {-1, 1, 10_115, 19_991_231, 20_270_229, 20_261_300, 1_020_261_127})
     void otherSeedsAreNoDay(long seed) {
         assertThat(Day.ofSeed(seed)).isEmpty();
+    }
+
+    @Test
+    void datesAreWrittenAsInThePlayersLanguage() {
+        Day day = new Day(DATE);
+        assertThat(day.title(new Words("en"))).isEqualTo("Level of the day, 2026-11-27");
+        assertThat(day.title(new Words("de"))).isEqualTo("Level des Tages, 27.11.2026");
     }
 
     @Test

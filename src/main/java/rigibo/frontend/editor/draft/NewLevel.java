@@ -25,7 +25,7 @@ public final class NewLevel {
     static ObjectNode document() {
         ObjectNode level = JsonNodeFactory.instance.objectNode();
         level.put("format", 2).put("id", ID);
-        level.putObject("title").put("en", TITLE);
+        level.putObject("title").put("en", TITLE).put("de", "Neues Level");
         world(level.putObject("world"));
         level.putObject("rules")
                 .put("cooldown", 1.0)

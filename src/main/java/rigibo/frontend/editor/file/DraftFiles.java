@@ -15,6 +15,7 @@ import rigibo.frontend.save.SafeFile;
 import tools.jackson.databind.JsonNode;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -91,15 +92,11 @@ public final class DraftFiles {
 
     /** The player's levels by name, then those of the game. */
     public List<Path> all() throws IOException {
-        return Stream.concat(own().stream(), LevelShelf.files().stream()).toList();
-    }
-
-    private List<Path> own() throws IOException {
-        if (folder.isEmpty() || !Files.isDirectory(folder.get())) {
-            return List.of();
-        }
-        try (Stream<Path> files = Files.list(folder.get())) {
-            return files.filter(file -> file.toString().endsWith(ENDING)).sorted().toList();
+        try {
+            Stream<Path> own = folder.stream().flatMap(place -> LevelShelf.own(place).stream());
+            return Stream.concat(own, LevelShelf.files().stream()).toList();
+        } catch (UncheckedIOException unreadable) {
+            throw unreadable.getCause();
         }
     }
 

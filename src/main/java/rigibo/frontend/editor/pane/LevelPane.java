@@ -109,9 +109,17 @@ final class LevelPane {
                         return;
                     }
                     String before = draft.at(english).asString("");
-                    boolean isUntold = before.isEmpty() || before.equals(NewLevel.TITLE);
-                    Draft worded = draft.with(pointer, text(typed));
-                    fields.desk().change(isUntold ? worded.with(english, text(typed)) : worded);
+                    boolean isUntitled = before.equals(NewLevel.TITLE);
+                    Draft bare =
+                            isUntitled
+                                    ? draft.with(member, JsonNodeFactory.instance.objectNode())
+                                    : draft;
+                    Draft worded = bare.with(pointer, text(typed));
+                    fields.desk()
+                            .change(
+                                    isUntitled || before.isEmpty()
+                                            ? worded.with(english, text(typed))
+                                            : worded);
                 });
     }
 

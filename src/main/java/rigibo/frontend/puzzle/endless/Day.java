@@ -70,7 +70,13 @@ public record Day(LocalDate date) implements Occasion {
 
     @Override
     public String title(Words words) {
-        return words.of("made.day", date.toString());
+        return words.of("made.day", written(words, date));
+    }
+
+    /** A date as it is written in the player's language. */
+    private static String written(Words words, LocalDate day) {
+        String[] parts = day.toString().split("-");
+        return words.of("made.date", parts[0], parts[1], parts[2]);
     }
 
     @Override
@@ -92,7 +98,7 @@ public record Day(LocalDate date) implements Occasion {
     private static List<String> line(Words words, LocalDate day, DayResult result) {
         String time = words.number("%.2f", result.seconds());
         return List.of(
-                day.toString(),
+                written(words, day),
                 words.of("made.clicks", result.clicks()),
                 words.of("made.time", time));
     }

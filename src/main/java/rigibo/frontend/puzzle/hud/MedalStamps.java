@@ -7,6 +7,8 @@ import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.Settings.Motion;
 import rigibo.frontend.scene.Words;
 
+import java.util.stream.Stream;
+
 /**
  * The medals of a solved level, stamped one by one from bronze up to the one that was earned.
  * Besides its colour each has a number and a shape of its own.
@@ -20,6 +22,9 @@ final class MedalStamps {
     private static final int FALL = Steps.of(0.15);
 
     static final double RADIUS = 24;
+
+    private static final String LONG = "puzzle.medal.";
+    private static final String SHORT = "puzzle.short.";
 
     /** Factor by which a stamp is larger when it begins to fall. */
     private static final double HEIGHT = 1.5;
@@ -35,7 +40,15 @@ final class MedalStamps {
 
     /** What was earned. */
     String told(Words words) {
-        return told(words, "puzzle.medal.", earned);
+        return told(words, LONG, earned);
+    }
+
+    private String kind(Canvas canvas, Words words, PrizePlaces places) {
+        boolean haveRoom =
+                Stream.of(Medal.values())
+                        .map(medal -> told(words, LONG, medal))
+                        .allMatch(name -> places.hasRoomFor(canvas, name));
+        return haveRoom ? LONG : SHORT;
     }
 
     private String told(Words words, String kind, Medal medal) {
@@ -50,6 +63,7 @@ final class MedalStamps {
     /** Draws them at the first places. */
     void draw(Canvas canvas, Words words, PrizePlaces places, Motion motion) {
         Medal[] medals = Medal.values();
+        String kind = kind(canvas, words, places);
         for (int i = 0; i < medals.length; i++) {
             Medal medal = medals[medals.length - 1 - i];
             int age = turns - (i + 1) * APART;
@@ -58,7 +72,6 @@ final class MedalStamps {
             if (isStamped) {
                 draw(canvas, medal, places.x(i), places.y(i), RADIUS * scale(age, motion));
             }
-            String kind = canvas.layout().isInHand() ? "puzzle.short." : "puzzle.medal.";
             Color ink = isStamped ? Color.TEXT : Color.TEXT_DIM;
             places.drawWords(canvas, told(words, kind, medal), i, ink);
         }

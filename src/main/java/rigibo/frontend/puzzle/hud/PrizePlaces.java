@@ -23,6 +23,11 @@ record PrizePlaces(double x, double y, boolean isAcross) {
 
     private static final double BESIDE = 48;
 
+    /** Least distance between the words of two that lie side by side, px. */
+    private static final double APART = 8;
+
+    private static final double SIZE = 16;
+
     /** From the middle of words, or of a prize, to what comes next, px. */
     private static final double AFTER_WORDS = 12;
 
@@ -46,10 +51,16 @@ record PrizePlaces(double x, double y, boolean isAcross) {
         return y(count - 1) + (isAcross ? BELOW + AFTER_WORDS : AFTER_PRIZE);
     }
 
+    /** Whether words do not touch those of the next one. */
+    boolean hasRoomFor(Canvas canvas, String words) {
+        double width = canvas.textWidth(words, SIZE, Canvas.Font.WORDS);
+        return !canvas.layout().isInHand() && (!isAcross || width <= COLUMN - APART);
+    }
+
     void drawWords(Canvas canvas, String words, int number, Color ink) {
         double wordsX = x(number) + (isAcross ? 0 : BESIDE);
         double wordsY = y(number) + (isAcross ? BELOW : 0);
         Canvas.Align align = isAcross ? Canvas.Align.CENTRE : Canvas.Align.LEFT;
-        canvas.text(words, wordsX, wordsY, 16, Canvas.Font.WORDS, align, ink);
+        canvas.text(words, wordsX, wordsY, SIZE, Canvas.Font.WORDS, align, ink);
     }
 }

@@ -62,7 +62,9 @@ final class StarStamp {
             Print.centred(canvas, "?", x, y + 2, 20, Color.TEXT_DIM);
         }
         Color ink = isSeen() ? Color.TEXT : Color.TEXT_DIM;
-        String name = words.of(canvas.layout().isInHand() ? "puzzle.short.star" : "puzzle.star");
+        String full = words.of("puzzle.star");
+        boolean hasRoom = places.hasRoomFor(canvas, full);
+        String name = hasRoom ? full : words.of("puzzle.short.star");
         places.drawWords(canvas, name, place, ink);
     }
 

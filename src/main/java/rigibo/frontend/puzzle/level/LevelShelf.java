@@ -17,6 +17,8 @@ public final class LevelShelf {
     /** The world's number, from 1, and the level's within it. */
     private static final Pattern NUMBERED = Pattern.compile("([1-9])-(\\d\\d)-.+\\.json");
 
+    private static final String ENDING = ".json";
+
     /** What level files are held against, among the class path's resources. */
     static final String SCHEMA = "/levels/level.schema.json";
 
@@ -33,6 +35,18 @@ public final class LevelShelf {
             return all.filter(file -> NUMBERED.matcher(name(file)).matches())
                     .sorted(Comparator.comparing(LevelShelf::name))
                     .toList();
+        } catch (IOException broken) {
+            throw new UncheckedIOException("cannot list the levels in " + folder, broken);
+        }
+    }
+
+    /** The level files of a player's folder by name; none where there is no such folder. */
+    public static List<Path> own(Path folder) {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.filter(file -> name(file).endsWith(ENDING)).sorted().toList();
         } catch (IOException broken) {
             throw new UncheckedIOException("cannot list the levels in " + folder, broken);
         }

@@ -18,6 +18,8 @@ import rigibo.frontend.puzzle.replay.ReplayLoader;
 import rigibo.frontend.puzzle.rules.Loss;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
+import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingNarrator;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Words;
@@ -86,6 +88,16 @@ class EndOfATryTest {
         assertThat(ranks()).isEqualTo("32");
         played.turns(15);
         assertThat(ranks()).isEqualTo("321");
+    }
+
+    @Test
+    void namesOfMedalsAreShortWhereLongOnesWouldTouch() {
+        PlayedLevel german =
+                new PlayedLevel(PlayedLevel.twoBoxes(), "de", Settings.Motion.REDUCED).solve();
+        Layout large = Layout.ALONE.withText(1.3, german.scene.mostType());
+        assertThat(german.texts()).contains("Bronze: gelöst", "Silber: 2 Klicks");
+        assertThat(RecordingCanvas.of(german.scene, large).texts())
+                .contains("Bronze", "Silber", "Gold");
     }
 
     @Test

@@ -6,10 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 
 import rigibo.backend.Pool;
+import rigibo.backend.RevoluteJoint;
+import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Thrust;
@@ -17,6 +20,9 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.JointMotor;
+import rigibo.backend.setup.JointSettings;
+import rigibo.backend.setup.JointSpring;
 import rigibo.backend.setup.Material;
 
 /** The parts of a pool's energy, and what the declared effects may do to it. */
@@ -77,5 +83,29 @@ class EnergyTest {
         driven.add(BodyDefinition.kinematic(Polygon.box(1, 1)).at(0, 9));
         assertThat(EnergyKind.of(driven)).isEqualTo(EnergyKind.WORKED);
         assertThat(EnergyKind.of(pool(ELASTIC.with(new Thrust()), 1))).isEqualTo(EnergyKind.WORKED);
+    }
+
+    @Test
+    void motorsAndSpringsWorkAndBrakesDoNot() {
+        assertThat(EnergyKind.of(hinged(JointSettings.NONE))).isEqualTo(EnergyKind.CONSERVED);
+        JointSettings motor = JointSettings.NONE.motor(new JointMotor(2, 5));
+        assertThat(EnergyKind.of(hinged(motor))).isEqualTo(EnergyKind.WORKED);
+        JointSettings spring = JointSettings.NONE.spring(new JointSpring(2, 0));
+        assertThat(EnergyKind.of(hinged(spring))).isEqualTo(EnergyKind.WORKED);
+        JointSettings brake = JointSettings.NONE.motor(new JointMotor(0, 5));
+        assertThat(EnergyKind.of(hinged(brake))).isEqualTo(EnergyKind.LOSING);
+    }
+
+    /** A disc that hangs from a wall. */
+    private static Pool hinged(JointSettings settings) {
+        Pool pool = new Pool(ELASTIC.with(new Joints()), Accuracy.GAME);
+        RigidBody wall = pool.add(BodyDefinition.fixed(Polygon.box(1, 1)));
+        RigidBody disc =
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(0.5))
+                                .at(3, 0)
+                                .material(new Material(1, 0, 1)));
+        pool.join(RevoluteJoint.at(wall, disc, 0, 0).with(settings));
+        return pool;
     }
 }
