@@ -11,6 +11,9 @@ import rigibo.backend.storage.DataStorage;
  */
 public final class IslandImpacts {
 
+    /** Closing speed in m/s below which it is the residual of a solved row and not an impact. */
+    static final double RESIDUAL = 1e-9;
+
     private final BounceRows bounces;
     private final SimultaneousImpacts joint;
     private final PairwiseImpacts apart;

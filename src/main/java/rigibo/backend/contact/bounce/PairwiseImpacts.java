@@ -29,6 +29,9 @@ import java.util.Arrays;
  */
 final class PairwiseImpacts {
 
+    /** Share of the closing speed of a contact below which that of a point is round-off. */
+    private static final double HARDLY = 1e-9;
+
     /** Most sweeps over the contacts in one substep; longer chains continue in the next substep. */
     private static final int MOST_SWEEPS = 8;
 
@@ -195,14 +198,10 @@ final class PairwiseImpacts {
 
     private boolean strikes(int row, int point, double h, double limit) {
         double v = motions.parting(contacts, row, point);
-        return v < limit && v < -ROUND_OFF && motions.gap(contacts, row, point) + h * v < 0;
+        return v < limit
+                && v < -IslandImpacts.RESIDUAL
+                && motions.gap(contacts, row, point) + h * v < 0;
     }
-
-    /** Share of the closing speed of a contact below which that of a point is round-off. */
-    private static final double HARDLY = 1e-9;
-
-    /** Closing speed in m/s below which it is the residual of a solved row and not an impact. */
-    private static final double ROUND_OFF = 1e-9;
 
     private double slowest(int row) {
         double v0 = motions.parting(contacts, row, 0);

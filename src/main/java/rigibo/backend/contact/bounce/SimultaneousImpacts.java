@@ -36,9 +36,6 @@ final class SimultaneousImpacts {
      */
     private static final double TOUCHED = 1e-8;
 
-    /** Closing speed in m/s below which it is the residual of a solved row and not an impact. */
-    private static final double ROUND_OFF = 1e-9;
-
     private final Bodies bodies;
     private final Pairs pairs;
     private final Motions motions;
@@ -181,7 +178,7 @@ final class SimultaneousImpacts {
         double unloaded = speed - gainedInAll(row, point) + turnedBy(row);
         double parting = touched ? Math.max(met, unloaded) : met;
         double limit = contacts.data[row * PackedContacts.STRIDE + PackedContacts.BOUNCE_SPEED];
-        return parting < -Math.max(ROUND_OFF, limit);
+        return parting < -Math.max(IslandImpacts.RESIDUAL, limit);
     }
 
     /** Parting speed of a point at a time, m/s. */

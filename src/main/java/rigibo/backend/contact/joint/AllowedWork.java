@@ -5,9 +5,6 @@ import rigibo.backend.contact.row.Motions;
 /** How much work an island's solver may appear to do in rows that can do none. */
 final class AllowedWork {
 
-    /** Work of contacts and equations that is round-off, as a share of the energy of motion. */
-    private static final double ROUND_OFF = 1e-6;
-
     /** Most work of equations in a kick whose places are held, as a share of the energy. */
     private static final double MOST_OF_TURNING = 0.1;
 
@@ -46,7 +43,7 @@ final class AllowedWork {
     boolean isNone() {
         boolean isLittle = work.sum() <= LITTLE * energy();
         double done = isLittle ? Math.min(work.sum(), work.sumOfContactsNow()) : work.sum();
-        return done <= ROUND_OFF * energy() && work.isAllOfRows();
+        return done <= RowWork.ROUND_OFF * energy() && work.isAllOfRows();
     }
 
     /**

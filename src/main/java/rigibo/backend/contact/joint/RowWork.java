@@ -11,8 +11,8 @@ import java.util.Arrays;
  */
 final class RowWork {
 
-    /** Round-off of energies, as a share of them. */
-    private static final double ROUND_OFF = 1e-6;
+    /** Round-off of energies and of work, as a share of the energy of motion. */
+    static final double ROUND_OFF = 1e-6;
 
     private final NeutralRows rows;
 

@@ -82,7 +82,7 @@ public final class Trials {
     /**
      * A snapshot of a scene, as fresh as its cost permits.
      *
-     * @param the scene; a snapshot of another scene than before is taken at once
+     * @param of the scene; a snapshot of another scene than before is taken at once
      * @param share snapshots take at most this part of the game's time, as 1 in n; one of 600 discs
      *     takes 4 ms
      */
