@@ -82,6 +82,8 @@ final class CrowdSolver {
     private int usualPasses;
     private int mostPasses;
 
+    private final boolean isExact;
+
     /** Number of substeps relative to the game's, at most 1. */
     private final double shorter;
 
@@ -104,6 +106,7 @@ final class CrowdSolver {
         factor = new EquationFactor(motions, rows);
         equations = factor.equations();
         tree = factor.tree();
+        isExact = accuracy.substeps() >= Accuracy.EXACT.substeps();
         shorter = Math.min(1, accuracy.substeps() / (double) Accuracy.GAME.substeps());
         sunk = SUNK * MissedWidth.of(accuracy);
         held = new CrowdEquations(motions, rows, jointRows, poses, factor, accuracy);
@@ -302,11 +305,12 @@ final class CrowdSolver {
     /**
      * Holds the places of equations at the end of a drift of h seconds, but where bodies are
      * pressed on: contacts are not asked again, so that the tension of a rope, say, would draw it
-     * into the pulley that it runs over.
+     * into the pulley that it runs over. At EXACT, whose substeps are short, the energy that this
+     * keeps counts for more.
      */
     void holdPlaces(double h) {
         Arrays.fill(isPressed, 0, tree.groups, false);
-        for (int row = 0; row < rows.count; row++) {
+        for (int row = 0; row < rows.count && !isExact; row++) {
             if (rows.isPoint(row) && rows.impulse[row] > 0) {
                 notePressed(row);
             }
