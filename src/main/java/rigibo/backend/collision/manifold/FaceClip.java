@@ -24,12 +24,6 @@ final class FaceClip {
      */
     private static final double BESIDE = 1e-5;
 
-    /**
-     * Positions that differ by less than this, as a share of the tolerance for one place, are equal
-     * up to round-off.
-     */
-    private static final double ROUND_OFF = 1e-9;
-
     /** Tilt up to which an edge counts as flat on a face, rad. */
     private static final double FLAT = 1e-4;
 
@@ -77,6 +71,9 @@ final class FaceClip {
     private boolean isLowNearest;
     private double samePlace;
 
+    /** Overlap of two cores without faces up to which they may lie in one line, m. */
+    private double inLine;
+
     /** The larger number of corners of the two cores. */
     private int edgesInAll;
 
@@ -106,6 +103,7 @@ final class FaceClip {
         endY = polygon.cornerY(faceEnd);
         separation = found.separation;
         samePlace = SAME_PLACE * width;
+        inLine = PolygonPolygon.REFERENCE_BIAS * width;
         edgesInAll = Math.max(polygon.corners(), other.corners());
         chooseEdge(other, found.corner, place);
         placeEdge(other, place);
@@ -165,8 +163,8 @@ final class FaceClip {
      */
     private boolean findCorners() {
         // A core of two corners has no face across its own line: two in one line are apart, though
-        // no face separates them.
-        boolean mayBeInLine = edgesInAll == 2 && separation > -ROUND_OFF * samePlace;
+        // no face separates them, or none by more than the bias for A's faces.
+        boolean mayBeInLine = edgesInAll == 2 && separation > -inLine;
         if (!(separation > 0 || mayBeInLine)) {
             return false;
         }
