@@ -51,7 +51,7 @@ final class RowDescent {
         int same = 0;
         for (int i = 0; i < steps && !elimination.isSpent(); i++) {
             elimination.factorize();
-            double lacking = ask();
+            double lacking = elimination.askForResiduals();
             boolean isSolved = same > 0 && lacking <= settled || same == REFINEMENTS;
             if (!isSolved) {
                 same = step() ? 0 : same + 1;
@@ -81,18 +81,6 @@ final class RowDescent {
         side[row] = at;
         elimination.put(row, false);
         rows.push(row, (at > 0 ? rows.upper[row] : rows.lower[row]) - rows.impulse[row]);
-    }
-
-    /** Asks the set's rows for what they lack; the most, m/s. */
-    private double ask() {
-        double most = 0;
-        for (int k = 0; k < elimination.size(); k++) {
-            int row = elimination.row(k);
-            double residual = rows.residual(row);
-            elimination.ask(k, -residual);
-            most = Math.max(most, rows.inMetres(row, residual));
-        }
-        return most;
     }
 
     /** Goes on to what solves the set, or to the first bound; whether a row came to one. */

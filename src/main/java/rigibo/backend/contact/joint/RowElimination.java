@@ -274,6 +274,17 @@ final class RowElimination {
         unknown[i] = change;
     }
 
+    /** Asks the set's rows for what they lack; returns the most, m/s. */
+    double askForResiduals() {
+        double worst = 0;
+        for (int i = 0; i < size; i++) {
+            double residual = rows.residual(set[i]);
+            unknown[i] = -residual;
+            worst = Math.max(worst, rows.inMetres(set[i], residual));
+        }
+        return worst;
+    }
+
     /**
      * Solves for the impulses of the set's rows that give all changes asked for since it was
      * factored; {@link #answer} returns them.

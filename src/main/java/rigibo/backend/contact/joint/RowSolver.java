@@ -415,7 +415,9 @@ final class RowSolver {
     /** Brings the set's rows to what they ask for. */
     private void eliminate() {
         elimination.factorize();
-        for (int i = 0; i < REFINEMENTS && !(ask() <= settled && (i > 0 || isNear)); i++) {
+        for (int i = 0;
+                i < REFINEMENTS && !(elimination.askForResiduals() <= settled && (i > 0 || isNear));
+                i++) {
             elimination.solve();
             for (int k = 0; k < elimination.size(); k++) {
                 rows.push(elimination.row(k), elimination.answer(k));
@@ -430,18 +432,6 @@ final class RowSolver {
             sliding.push();
         }
         sliding.bound();
-    }
-
-    /** Asks the set's rows for what they lack; the most, m/s. */
-    private double ask() {
-        double worst = 0;
-        for (int k = 0; k < elimination.size(); k++) {
-            int row = elimination.row(k);
-            double residual = rows.residual(row);
-            elimination.ask(k, -residual);
-            worst = Math.max(worst, rows.inMetres(row, residual));
-        }
-        return worst;
     }
 
     /** Counts the rows that are in the set beyond their bounds, or out of it wrongly. */
