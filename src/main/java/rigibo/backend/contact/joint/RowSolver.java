@@ -52,6 +52,9 @@ final class RowSolver {
     /** Share of a bound from which on what was carried counts as at it. */
     private static final double AT_BOUND = 1 - 1e-9;
 
+    /** Share of what friction may carry from which on a contact counts as sliding. */
+    private static final double SLID = 0.999;
+
     /** Rows of a joint along one coordinate, two limits and a motor, besides one of them. */
     private static final int MOST_RIVALS = 2;
 
@@ -175,9 +178,7 @@ final class RowSolver {
             if (isOfJoint) {
                 placeAsBefore(row, before);
             } else {
-                // The load before tells less of a contact than how it closes: after the last kick
-                // its gap is open by round-off.
-                place(row);
+                placeContact(row);
             }
         }
     }
@@ -249,22 +250,42 @@ final class RowSolver {
         } else if (isWithin) {
             enter(row);
         } else {
-            side[row] = carried > 0 ? 1 : -1;
-            elimination.put(row, false);
-            toBound(row);
+            leave(row, carried > 0 ? 1 : -1);
+        }
+    }
+
+    /**
+     * Takes the row of a contact into the set if it carried a load in the kick before, and leaves
+     * friction at its bound that slid. What sticks at two wheels at once, or where two bodies lie
+     * on a third, would else be found out by exchanging rows one after the other.
+     */
+    private void placeContact(int row) {
+        double carried = rows.impulse[row];
+        boolean isFriction = rows.load[row] != NeutralRows.NONE;
+        if (isFriction && carried != 0 && Math.abs(carried) >= SLID * rows.upper[row]) {
+            leave(row, carried > 0 ? 1 : -1);
+        } else if (!isFriction && rows.isPoint(row) && carried > 0) {
+            enter(row);
+        } else {
+            place(row);
         }
     }
 
     /** Takes a row with bounds into the set, if alone it would be within them. */
     private void place(int row) {
         double wish = rows.wish(row);
-        side[row] = wish >= rows.upper[row] ? 1 : -1;
         if (wish > rows.lower[row] && wish < rows.upper[row]) {
             enter(row);
         } else {
-            elimination.put(row, false);
-            toBound(row);
+            leave(row, wish >= rows.upper[row] ? 1 : -1);
         }
+    }
+
+    /** Takes a row with bounds out of the set, to one of them. */
+    private void leave(int row, int bound) {
+        side[row] = bound;
+        elimination.put(row, false);
+        toBound(row);
     }
 
     /** Takes a row with bounds into the set; a rival of it goes to its bound. */
@@ -465,9 +486,7 @@ final class RowSolver {
 
     private void exchange(int row) {
         if (elimination.isIn(row)) {
-            side[row] = rows.impulse[row] > rows.upper[row] ? 1 : -1;
-            elimination.put(row, false);
-            toBound(row);
+            leave(row, rows.impulse[row] > rows.upper[row] ? 1 : -1);
         } else {
             enter(row);
         }
