@@ -128,7 +128,10 @@ public final class Passes {
     private final int most;
     private final int usual;
 
-    /** Most passes per substep in a calm crowd. */
+    /** Most passes per substep in a crowd. */
+    private int mostOfCrowd;
+
+    /** That number in a calm crowd. */
     private int mostIfCalm;
 
     /** Most passes per substep in an island of few contacts; grows with the ratio of masses. */
@@ -167,15 +170,18 @@ public final class Passes {
 
     /**
      * Starts a step of {@code dt} seconds of the packed island in the given number of substeps.
-     * With fewer substeps than usual, a heap needs more passes in each to come to rest. Few
-     * contacts, such as those of a body between a wall and another of a thousand times its mass,
-     * are solved until none is due: that takes thousands of passes, but no more work than the
-     * elimination that was given up.
+     * With fewer substeps than usual, a heap needs more passes in each to come to rest; one that
+     * still moves gets them at {@code EXACT} alone, where it would be lifted by loads that were too
+     * large, while at other presets its slowest step counts for more. Few contacts, such as those
+     * of a body between a wall and another of a thousand times its mass, are solved until none is
+     * due: that takes thousands of passes, but no more work than the elimination that was given up.
      */
     void begin(double dt, int substeps) {
         step = dt;
         mostOfFew = (int) (most * Math.max(1, Rounds.timesByMass(motions)));
-        mostIfCalm = most / 2 * Math.max(1, usual / substeps);
+        int times = Math.max(1, usual / substeps);
+        mostOfCrowd = isThrifty ? most : most * times;
+        mostIfCalm = most / 2 * times;
     }
 
     /**
@@ -285,7 +291,7 @@ public final class Passes {
     private void sweepCrowd(double h, double length, int substep, double fastest) {
         boolean isCalm = fastest < CALM * kick.strongest() * step;
         double quiet = quietOfCrowd(fastest);
-        int passes = isCalm ? mostIfCalmAfter(length / h) : most;
+        int passes = isCalm ? mostIfCalmAfter(length / h) : mostOfCrowd;
         double error = MISSED_IN_A_CROWD * missed;
         double least = isCalm ? quiet : OF_THE_FASTEST * quiet;
         sweep.run(h, length, substep, error, quiet, least, passes);
