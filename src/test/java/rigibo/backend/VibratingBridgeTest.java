@@ -11,6 +11,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.Material;
 import rigibo.lab.truth.Outline;
@@ -26,8 +27,15 @@ class VibratingBridgeTest {
 
     private static final int PLANKS = 24;
 
+    private static final double GRAVITY = 9.81;
+
     /** As everywhere: the deepest overlap, in widths of the thinner body. */
     private static final double OVERLAP = 0.02;
+
+    /** As everywhere: the energy gained in a step, as a share of what could be released. */
+    private static final double GAINED = 1e-3;
+
+    private static final double GAINED_AT_EXACT = 1e-6;
 
     @ParameterizedTest
     @CsvSource({
@@ -54,13 +62,35 @@ class VibratingBridgeTest {
                                 .material(new Material(1, 1, 0)));
         int flights = 0;
         double width = Math.min(2 * radius, length / 5);
+        double energy = energy(pool);
+        double most = (isExact ? GAINED_AT_EXACT : GAINED) * released(pool);
         for (int step = 0; step < 420; step++) {
             pool.step(1 / 60.0);
+            double before = energy;
+            energy = energy(pool);
+            assertThat(energy - before).as("gained in step " + step).isLessThan(most);
             double deepest = deepest(disc, planks) / width;
             flights += deepest < 0 ? 1 : 0;
             assertThat(deepest).as("step " + step).isLessThan(OVERLAP);
         }
         assertThat(flights).isGreaterThan(10);
+    }
+
+    private static double energy(Pool pool) {
+        return pool.kineticEnergy() + pool.potentialEnergy();
+    }
+
+    /** The energy of a fall of all bodies to the lowest point of any, J. */
+    private static double released(Pool pool) {
+        double lowest = Double.POSITIVE_INFINITY;
+        double mass = 0;
+        for (RigidBody body : pool.bodies()) {
+            if (body.type() == BodyType.DYNAMIC) {
+                lowest = Math.min(lowest, body.y() - body.shape().boundingRadius());
+                mass += body.mass();
+            }
+        }
+        return energy(pool) - mass * GRAVITY * lowest;
     }
 
     /**

@@ -21,7 +21,7 @@ public final class HardCases {
         return HELD;
     }
 
-    /** Cases that do not yet keep every limit. */
+    /** Cases that do not yet keep every limit, or take long to. */
     public static List<HardCase> open() {
         return OPEN;
     }

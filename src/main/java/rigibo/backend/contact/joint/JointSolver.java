@@ -204,6 +204,7 @@ public final class JointSolver {
         strikes.watchNothing();
         stops.begin(2 * firstKick);
         places.begin();
+        solver.beginIsland();
         writeAtRest(firstKick, 2 * firstKick);
         haveStops = contactRows.areAny();
         areWritten = !haveStops;

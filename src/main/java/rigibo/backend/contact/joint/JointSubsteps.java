@@ -34,7 +34,7 @@ public final class JointSubsteps {
             ContactRows contactRows,
             JointBudget budget,
             Accuracy accuracy) {
-        taut = new TautSubsteps(data);
+        taut = new TautSubsteps(data, accuracy);
         moving = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
         springs = new SpringSubsteps(data.jointsOrNone(), rows, packed, accuracy);
         this.contactRows = contactRows;

@@ -101,6 +101,12 @@ final class RowSolver {
     /** Whether what slides is solved with its loads. */
     private boolean isTogether;
 
+    /**
+     * Whether that was needed when the island was solved last, as by a chain that runs over a
+     * wheel; then it is likely to be needed again.
+     */
+    private boolean areLoadsShared;
+
     RowSolver(Motions motions, NeutralRows rows, RowElimination elimination, Accuracy accuracy) {
         boolean isExact = accuracy.substeps() >= Accuracy.EXACT.substeps();
         nearness = isExact ? 0 : Math.min(MOST_NEARNESS, NEARNESS * accuracy.impactTolerance());
@@ -111,6 +117,11 @@ final class RowSolver {
         sliding = new SlidingRows(motions, rows, elimination);
         descent = new RowDescent(rows, elimination);
         apart = new RowMemory(motions, rows);
+    }
+
+    /** Begins an island, of which nothing was solved yet in the step. */
+    void beginIsland() {
+        areLoadsShared = false;
     }
 
     /**
@@ -356,9 +367,12 @@ final class RowSolver {
 
     private boolean solveRounds(double most) {
         settled = Math.max(most, ROUND_OFF * strongest());
-        isTogether = false;
+        isTogether = areLoadsShared;
+        if (isTogether) {
+            apart.keep();
+        }
         for (int round = 0; round < MOST_ROUNDS && !elimination.isSpent(); round++) {
-            if (round == ROUNDS_APART) {
+            if (round == ROUNDS_APART && !isTogether) {
                 isTogether = true;
                 apart.keep();
             }
@@ -368,12 +382,14 @@ final class RowSolver {
                 boolean isLast = round == MOST_ROUNDS - 1 || elimination.isSpent();
                 double share = isLast ? late : 0;
                 if (lag() <= Math.max(LAG * settled, share * strongest())) {
+                    areLoadsShared = isTogether;
                     return true;
                 }
                 follow();
             } else if (isTogether) {
                 // Rows that jam have no answer, or several: back to where they were.
                 isTogether = false;
+                areLoadsShared = false;
                 goApart();
             } else {
                 return false;

@@ -113,6 +113,44 @@ class RowSolverTest {
         assertThat(rows.impulse[load]).isCloseTo((spin + carried) / 0.5, within(1e-6 * carried));
     }
 
+    /**
+     * A body of 1 kg lies with a load j = 2 N·s on the floor, from which its last kick left it open
+     * by a hair, and rubs with μ = 0.5. In the kick before friction carried f. At its bound, ±1
+     * N·s, it slid, and goes on; below that it is judged by the speed, which here it can stop
+     * alone.
+     */
+    @ParameterizedTest
+    @CsvSource({"-1, 3, false", "-0.9995, 3, false", "1, -3, false", "-0.4, 0.1, true"})
+    void aContactBeginsAsItEnded(double carried, double speed, boolean sticks) {
+        int load = along(0, 1);
+        int friction = along(1, 0);
+        rows.load[friction] = load;
+        rows.loads[friction] = 1;
+        rows.share[friction] = 0.5;
+        rows.impulse[load] = 2;
+        rows.impulse[friction] = carried;
+        motions.data[BODY + Motions.VX] = speed;
+        motions.data[BODY + Motions.VY] = 1e-12;
+        solver.beginAsBefore(null, 1);
+        assertThat(elimination.isIn(load)).isTrue();
+        assertThat(elimination.isIn(friction)).isEqualTo(sticks);
+        assertThat(solver.solve(1e-9)).isTrue();
+        double left = sticks ? 0 : speed + Math.signum(carried) - carried;
+        assertThat(motions.data[BODY + Motions.VX]).isCloseTo(left, within(1e-9));
+        assertThat(motions.data[BODY + Motions.VY]).isCloseTo(0, within(1e-9));
+        assertThat(rows.impulse[load]).isCloseTo(2, within(1e-9));
+        assertThat(elimination.isIn(friction)).isEqualTo(sticks);
+    }
+
+    private int along(double x, double y) {
+        int row = rows.add();
+        rows.contact[row] = 0;
+        rows.derive(row, BODY, x, y, 0);
+        rows.lower[row] = 0;
+        rows.finish(row);
+        return row;
+    }
+
     private int contact(double lever, double target) {
         int row = rows.add();
         rows.contact[row] = 0;
