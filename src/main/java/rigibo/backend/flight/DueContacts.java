@@ -17,10 +17,10 @@ final class DueContacts {
     /** By side: whose ways are handed on, an entry of {@link LedBodies}. */
     int[] by = new int[2 * 16];
 
-    /** By contact: its normal from A to B. */
-    double[] normalX = new double[16];
+    /** By side: the contact's normal away from its body. */
+    double[] normalX = new double[2 * 16];
 
-    double[] normalY = new double[16];
+    double[] normalY = new double[2 * 16];
 
     /** By contact: by how much it would be overlapping at the end of the step, m. */
     double[] closing = new double[16];
@@ -49,19 +49,24 @@ final class DueContacts {
         count = 0;
     }
 
-    /** Adds a contact of two entries, whose sides are due, and returns its number. */
-    int add(int a, int b) {
+    /**
+     * Adds a contact of two entries with a normal from A to B, whose sides are due, and returns its
+     * number.
+     */
+    int add(int a, int b, double nx, double ny) {
         if (2 * count == by.length) {
             grow(2 * count);
         }
         int contact = count++;
-        addSide(2 * contact, a);
-        addSide(2 * contact + 1, b);
+        addSide(2 * contact, a, nx, ny);
+        addSide(2 * contact + 1, b, -nx, -ny);
         return contact;
     }
 
-    private void addSide(int side, int body) {
+    private void addSide(int side, int body, double nx, double ny) {
         by[side] = body;
+        normalX[side] = nx;
+        normalY[side] = ny;
         before[side] = bodies.lastSide[body];
         bodies.lastSide[body] = side;
         asked[side] = -1;
@@ -69,8 +74,8 @@ final class DueContacts {
     }
 
     private void grow(int capacity) {
-        normalX = Arrays.copyOf(normalX, capacity);
-        normalY = Arrays.copyOf(normalY, capacity);
+        normalX = Arrays.copyOf(normalX, 2 * capacity);
+        normalY = Arrays.copyOf(normalY, 2 * capacity);
         closing = Arrays.copyOf(closing, capacity);
         least = Arrays.copyOf(least, capacity);
         by = Arrays.copyOf(by, 2 * capacity);
@@ -91,34 +96,19 @@ final class DueContacts {
         return isDue;
     }
 
-    /** Makes the sides due from which a body whose way has grown is to be handed on. */
-    void handOn(int body) {
+    /**
+     * Makes the sides due of which the answer may be another one since a way of a body has grown:
+     * those from it, and where its first way has grown those that would lengthen another way of it.
+     */
+    void tell(int body, boolean isFirstWay) {
         for (int side = bodies.lastSide[body]; side != LedBodies.NONE; side = before[side]) {
             set(side);
-        }
-    }
-
-    /**
-     * Makes the sides due that would lengthen another way of a body than when they were last asked,
-     * since its first way has turned.
-     */
-    void askAnew(int body) {
-        for (int side = bodies.lastSide[body]; side != LedBodies.NONE; side = before[side]) {
             int other = side ^ 1;
-            if (bodies.wayAlong(body, normalXFrom(other), normalYFrom(other)) != asked[other]) {
+            if (isFirstWay
+                    && asked[other] != bodies.wayAlong(body, normalX[other], normalY[other])) {
                 set(other);
             }
         }
-    }
-
-    /** Normal of a contact that points away from a side's body, x. */
-    double normalXFrom(int side) {
-        return (side & 1) == 0 ? normalX[side / 2] : -normalX[side / 2];
-    }
-
-    /** Normal of a contact that points away from a side's body, y. */
-    double normalYFrom(int side) {
-        return (side & 1) == 0 ? normalY[side / 2] : -normalY[side / 2];
     }
 
     /** The first contact from one on with a side that is due; {@link #count} if there is none. */

@@ -58,9 +58,7 @@ final class Ways {
     void add(int pair, double dt) {
         int a = entries.entryOf(pairs.bodyA[pair]);
         int b = entries.entryOf(pairs.bodyB[pair]);
-        int contact = contacts.add(a, b);
-        contacts.normalX[contact] = pairs.normalX[pair];
-        contacts.normalY[contact] = pairs.normalY[pair];
+        int contact = contacts.add(a, b, pairs.normalX[pair], pairs.normalY[pair]);
         contacts.closing[contact] = closing(pair, dt);
         contacts.least[contact] = least * width(pair);
     }
@@ -110,8 +108,8 @@ final class Ways {
     private void askSide(int side) {
         int body = contacts.by[side ^ 1];
         if (entries.moves[body]) {
-            double nx = contacts.normalXFrom(side);
-            double ny = contacts.normalYFrom(side);
+            double nx = contacts.normalX[side];
+            double ny = contacts.normalY[side];
             int way = entries.wayAlong(body, nx, ny);
             contacts.asked[side] = way;
             push(side / 2, contacts.by[side], body, way, nx, ny);
@@ -122,29 +120,27 @@ final class Ways {
     private void push(int contact, int by, int body, int led, double nx, double ny) {
         double closing = contacts.closing[contact];
         double least = contacts.least[contact];
+        double shortest = shortest(led, least);
         boolean grows = false;
         // No way is longer than wanted, whatever the masses: most questions end here.
-        if (closing > shortest(led, least)) {
-            grows = lead(body, led, least, closing, entries.mass[by], nx, ny);
+        if (closing > shortest && lead(body, led, shortest, closing, entries.mass[by], nx, ny)) {
+            grows = true;
+            shortest = shortest(led, least);
         }
         int way = LedBodies.firstWay(by);
         for (int i = 0; i < 2; i++, way += LedBodies.STRIDE) {
             double along = entries.along(way, nx, ny);
-            if (closing + along > shortest(led, least) && along > 0) {
-                double pushing = entries.ways[way + LedBodies.MASS];
-                grows |= lead(body, led, least, closing + along, pushing, nx, ny);
+            double wanted = closing + along;
+            double pushing = entries.ways[way + LedBodies.MASS];
+            if (wanted > shortest
+                    && along > 0
+                    && lead(body, led, shortest, wanted, pushing, nx, ny)) {
+                grows = true;
+                shortest = shortest(led, least);
             }
         }
         if (grows) {
-            tell(body, led);
-        }
-    }
-
-    /** Makes those contacts of a body due that a way of it which has grown may change. */
-    private void tell(int body, int way) {
-        contacts.handOn(body);
-        if (way == LedBodies.firstWay(body)) {
-            contacts.askAnew(body);
+            contacts.tell(body, led == LedBodies.firstWay(body));
         }
     }
 
@@ -161,11 +157,17 @@ final class Ways {
 
     /** Leads a body off on a way along a normal; returns whether farther than before. */
     private boolean lead(
-            int body, int way, double least, double wanted, double pushing, double nx, double ny) {
+            int body,
+            int way,
+            double shortest,
+            double wanted,
+            double pushing,
+            double nx,
+            double ny) {
         double own = entries.mass[body];
         double share = pushing == Double.POSITIVE_INFINITY ? 1 : pushing / (pushing + own);
         double length = wanted * share;
-        if (!(length > shortest(way, least))) {
+        if (!(length > shortest)) {
             return false;
         }
         if (!entries.isLed[body]) {
