@@ -7,8 +7,6 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.PointSpeeds;
 
-import java.util.Arrays;
-
 /**
  * How far the bodies of piles may be led off their predicted paths within a step. Where two would
  * be in each other at the end of the step, one may give way to the other along the normal, by a
@@ -33,28 +31,8 @@ final class Ways {
     /** Overlap in widths that counts as none. */
     private final double kept;
 
-    /**
-     * By body, twice: how far it may be led off within the step, x and y, m; and the mass that
-     * pushes, itself included, kg. The second way is opposed to the first.
-     */
-    private double[] wayX = new double[2 * 16];
-
-    private double[] wayY = new double[2 * 16];
-    private double[] mass = new double[2 * 16];
-
-    /** By body: the last sweep in which one of its ways grew, 0 for none. */
-    private int[] grownIn = new int[16];
-
-    /** Contacts of piles; and by how much each would be overlapping at the end of the step, m. */
-    private final Found contacts = new Found();
-
-    private double[] closing = new double[32];
-
-    /** Number of sweeps over the contacts in this step. */
-    private int sweep;
-
-    /** Number of contacts that have been swept. */
-    private int known;
+    private final LedBodies entries;
+    private final DueContacts contacts;
 
     /**
      * Ways that are handed on from a length of {@code least} widths on; an overlap of {@code kept}
@@ -63,37 +41,26 @@ final class Ways {
     Ways(DataStorage data, double least, double kept) {
         bodies = data.bodies;
         pairs = data.pairs;
+        entries = new LedBodies(bodies);
+        contacts = new DueContacts(entries);
         this.least = least;
         this.kept = kept;
     }
 
     /** Starts a step without contacts or ways. */
     void begin() {
-        int capacity = bodies.type.length;
-        if (grownIn.length < capacity) {
-            wayX = new double[2 * capacity];
-            wayY = new double[2 * capacity];
-            mass = new double[2 * capacity];
-            grownIn = new int[capacity];
-        }
-        int high = bodies.slots.high;
-        Arrays.fill(wayX, 0, 2 * high, 0);
-        Arrays.fill(wayY, 0, 2 * high, 0);
-        Arrays.fill(mass, 0, 2 * high, 0);
-        Arrays.fill(grownIn, 0, high, 0);
-        led.clear();
+        entries.clear();
         contacts.clear();
-        known = 0;
-        sweep = 0;
+        led.clear();
     }
 
     /** Adds a measured contact of two bodies of piles, in a step of dt seconds. */
     void add(int pair, double dt) {
-        contacts.add(pair);
-        if (closing.length < contacts.numbers.length) {
-            closing = Arrays.copyOf(closing, contacts.numbers.length);
-        }
-        closing[contacts.count - 1] = closing(pair, dt);
+        int a = entries.entryOf(pairs.bodyA[pair]);
+        int b = entries.entryOf(pairs.bodyB[pair]);
+        int contact = contacts.add(a, b, pairs.normalX[pair], pairs.normalY[pair]);
+        contacts.closing[contact] = closing(pair, dt);
+        contacts.least[contact] = least * width(pair);
     }
 
     /** Number of contacts. */
@@ -106,62 +73,81 @@ final class Ways {
      * in one sweep if its contacts come in that order.
      */
     void handOn() {
-        boolean isForward = true;
-        boolean isGrowing = true;
-        while (isGrowing) {
-            sweep++;
-            isGrowing = isForward ? sweepForward() : sweepBackward();
-            isForward = !isForward;
-            known = contacts.count;
+        while (contacts.firstFrom(0) < contacts.count) {
+            sweepForward();
+            sweepBackward();
         }
     }
 
-    private boolean sweepForward() {
+    private void sweepForward() {
+        int contact = contacts.firstFrom(0);
+        while (contact < contacts.count) {
+            ask(contact);
+            contact = contacts.firstFrom(contact + 1);
+        }
+    }
+
+    private void sweepBackward() {
+        int contact = contacts.lastUpTo(contacts.count - 1);
+        while (contact >= 0) {
+            ask(contact);
+            contact = contacts.lastUpTo(contact - 1);
+        }
+    }
+
+    private void ask(int contact) {
+        if (contacts.take(2 * contact)) {
+            askSide(2 * contact);
+        }
+        if (contacts.take(2 * contact + 1)) {
+            askSide(2 * contact + 1);
+        }
+    }
+
+    /** Hands the ways of one body of a contact on to the other one. */
+    private void askSide(int side) {
+        int body = contacts.by[side ^ 1];
+        if (entries.moves[body]) {
+            double nx = contacts.normalX[side];
+            double ny = contacts.normalY[side];
+            int way = entries.wayAlong(body, nx, ny);
+            contacts.asked[side] = way;
+            push(side / 2, contacts.by[side], body, way, nx, ny);
+        }
+    }
+
+    /** Leads a body off by what the other one of a contact may do to it, along a normal. */
+    private void push(int contact, int by, int body, int led, double nx, double ny) {
+        double closing = contacts.closing[contact];
+        double least = contacts.least[contact];
+        double shortest = shortest(led, least);
         boolean grows = false;
-        for (int i = 0; i < contacts.count; i++) {
-            grows |= handOn(i);
+        // No way is longer than wanted, whatever the masses: most questions end here.
+        if (closing > shortest && lead(body, led, shortest, closing, entries.mass[by], nx, ny)) {
+            grows = true;
+            shortest = shortest(led, least);
         }
-        return grows;
-    }
-
-    private boolean sweepBackward() {
-        boolean grows = false;
-        for (int i = contacts.count - 1; i >= 0; i--) {
-            grows |= handOn(i);
-        }
-        return grows;
-    }
-
-    /** Hands ways on through a contact if one has grown since it was last asked. */
-    private boolean handOn(int contact) {
-        int pair = contacts.numbers[contact];
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        if (contact < known && Math.max(grownIn[a], grownIn[b]) < sweep - 1) {
-            return false;
-        }
-        boolean grows = push(pair, a, b, closing[contact]);
-        return push(pair, b, a, closing[contact]) || grows;
-    }
-
-    /**
-     * Leads a body off by what the other one of a contact may do to it; returns whether farther.
-     */
-    private boolean push(int pair, int by, int slot, double closing) {
-        if (!mayMove(slot)) {
-            return false;
-        }
-        double sign = slot == pairs.bodyB[pair] ? 1 : -1;
-        double nx = sign * pairs.normalX[pair];
-        double ny = sign * pairs.normalY[pair];
-        boolean grows = lead(pair, slot, closing, ownMass(by), nx, ny);
-        for (int way = 2 * by; way < 2 * by + 2; way++) {
-            double along = along(way, nx, ny);
-            if (along > 0) {
-                grows |= lead(pair, slot, closing + along, mass[way], nx, ny);
+        int way = LedBodies.firstWay(by);
+        for (int i = 0; i < 2; i++, way += LedBodies.STRIDE) {
+            double along = entries.along(way, nx, ny);
+            double wanted = closing + along;
+            double pushing = entries.ways[way + LedBodies.MASS];
+            if (wanted > shortest
+                    && along > 0
+                    && lead(body, led, shortest, wanted, pushing, nx, ny)) {
+                grows = true;
+                shortest = shortest(led, least);
             }
         }
-        return grows;
+        if (grows) {
+            contacts.tell(body, led == LedBodies.firstWay(body));
+        }
+    }
+
+    /** Length up to which a way is not lengthened, m. */
+    private double shortest(int way, double least) {
+        double known = GROWN * entries.ways[way + LedBodies.LENGTH];
+        return known > least ? known : least;
     }
 
     /** Whether a body can be led off. */
@@ -169,50 +155,49 @@ final class Ways {
         return bodies.isDynamic(slot) && bodies.awake[slot];
     }
 
-    private double ownMass(int slot) {
-        return bodies.isDynamic(slot) ? 1 / bodies.inverseMass[slot] : Double.POSITIVE_INFINITY;
-    }
-
-    private boolean lead(int pair, int slot, double wanted, double pushing, double nx, double ny) {
-        if (!(wanted > 0)) {
-            return false;
-        }
-        double own = ownMass(slot);
+    /** Leads a body off on a way along a normal; returns whether farther than before. */
+    private boolean lead(
+            int body,
+            int way,
+            double shortest,
+            double wanted,
+            double pushing,
+            double nx,
+            double ny) {
+        double own = entries.mass[body];
         double share = pushing == Double.POSITIVE_INFINITY ? 1 : pushing / (pushing + own);
         double length = wanted * share;
-        if (!(length > least * width(pair))) {
+        if (!(length > shortest)) {
             return false;
         }
-        int way = along(2 * slot, nx, ny) < 0 ? 2 * slot + 1 : 2 * slot;
-        if (!(length > GROWN * lengthOf(way))) {
-            return false;
+        if (!entries.isLed[body]) {
+            entries.isLed[body] = true;
+            led.add(entries.slot(body));
         }
-        wayX[way] = length * nx;
-        wayY[way] = length * ny;
-        mass[way] = pushing + own;
-        if (grownIn[slot] == 0) {
-            led.add(slot);
-        }
-        grownIn[slot] = sweep;
+        double x = length * nx;
+        double y = length * ny;
+        double[] ways = entries.ways;
+        ways[way + LedBodies.X] = x;
+        ways[way + LedBodies.Y] = y;
+        ways[way + LedBodies.LENGTH] = Math.sqrt(x * x + y * y);
+        ways[way + LedBodies.MASS] = pushing + own;
         return true;
-    }
-
-    private double along(int way, double nx, double ny) {
-        return wayX[way] * nx + wayY[way] * ny;
-    }
-
-    private double lengthOf(int way) {
-        return Math.sqrt(wayX[way] * wayX[way] + wayY[way] * wayY[way]);
     }
 
     /** Length of a body's longer way, m. */
     double reach(int slot) {
-        return Math.max(lengthOf(2 * slot), lengthOf(2 * slot + 1));
+        int entry = entries.find(slot);
+        return entry == LedBodies.NONE ? 0 : entries.reach(entry);
     }
 
     /** How far a body may be led in a direction, m. */
     double ledTo(int slot, double nx, double ny) {
-        return Math.max(along(2 * slot, nx, ny), along(2 * slot + 1, nx, ny));
+        int entry = entries.find(slot);
+        if (entry == LedBodies.NONE) {
+            return 0;
+        }
+        int way = LedBodies.firstWay(entry);
+        return Math.max(entries.along(way, nx, ny), entries.along(way + LedBodies.STRIDE, nx, ny));
     }
 
     /**
