@@ -19,9 +19,9 @@ import java.util.stream.IntStream;
 /**
  * Searches orders and times of clicks, with one click more in each round, up to par.
  *
- * <p>It covers every order of what can be clicked. Each is clicked at the end of the cooldown, then
- * every half second as long as something moves; at rest the moment of a click does not matter, so
- * one moment stands for all later ones. A finished game is not searched further. A round with more
+ * <p>It covers every order of the targets. Each is clicked at the end of the cooldown, then every
+ * half second as long as something moves; at rest the moment of a click does not matter, so one
+ * moment stands for all later ones. A finished game is not searched further. A round with more
  * games than {@link #MOST_GAMES} is sampled, with a fixed seed.
  */
 final class OrderSearch {
@@ -47,13 +47,13 @@ final class OrderSearch {
     }
 
     /**
-     * What the search found.
+     * The findings of the search.
      *
-     * @param wins how many games of par clicks are won
-     * @param fewer how many of those with fewer clicks; the search ends with the first
-     * @param winning what is clicked in the games won
+     * @param wins number of won games of par clicks
+     * @param fewer number of won games of fewer clicks; the search ends with the first
+     * @param winning targets of the clicks of won games
      * @param lost the clicks of games of par clicks that are not won
-     * @param shorter clicks that win with less than par, if there are any
+     * @param shorter clicks that win with less than par, if any
      */
     record Found(
             Share wins,
@@ -62,7 +62,7 @@ final class OrderSearch {
             List<List<Act>> lost,
             Optional<List<Act>> shorter) {}
 
-    /** Some clicks and how they ended. */
+    /** Some clicks and the outcome. */
     private record Course(List<Act> clicks, Verdict verdict) {}
 
     Found search() {
@@ -89,9 +89,9 @@ final class OrderSearch {
     }
 
     /**
-     * Whether some game wins with up to par clicks more than those made.
+     * Whether some game wins with at most par more clicks than those made.
      *
-     * @param until step until which a player looks on after them
+     * @param until step until which a player watches after them
      */
     boolean winsAfter(List<Act> made, int until) {
         int ready = made.get(made.size() - 1).step() + cooldown;
@@ -125,8 +125,7 @@ final class OrderSearch {
     }
 
     /**
-     * Plays games. One whose click comes to a body that has meanwhile fallen out of the world is
-     * dropped.
+     * Plays games. A game is dropped if one of its targets has meanwhile fallen out of the world.
      */
     private List<Course> played(List<List<Act>> some) {
         return games.each(some)
@@ -140,7 +139,7 @@ final class OrderSearch {
         return all.subList(0, Math.min(all.size(), MOST_GAMES));
     }
 
-    /** The clicks of each course, and one more. */
+    /** The clicks of each course with one more. */
     private List<List<Act>> nexts(List<Course> round) {
         List<List<Act>> all = new ArrayList<>();
         round.forEach(course -> all.addAll(nexts(course.clicks, moments(course))));
@@ -165,7 +164,7 @@ final class OrderSearch {
         return longer;
     }
 
-    /** Steps at which one more click may lead to another game. */
+    /** Steps at which one more click may lead to a different game. */
     private IntStream moments(Course course) {
         int clicks = course.clicks.size();
         int ready = clicks == 0 ? 0 : course.clicks.get(clicks - 1).step() + cooldown;

@@ -10,7 +10,7 @@ final class Cooldown {
         length = steps;
     }
 
-    /** Exactly at its end the next click is allowed. */
+    /** Whether a click is allowed; exactly at the cooldown's end it is. */
     boolean isReady(int now) {
         return now >= readyAt;
     }

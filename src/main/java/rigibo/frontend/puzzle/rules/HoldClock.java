@@ -1,7 +1,7 @@
 package rigibo.frontend.puzzle.rules;
 
 /**
- * Counts how long all balls together have stayed on the platform. Gaps shorter than the grace do
+ * Measures how long all balls together have stayed on the platform. Gaps shorter than the grace do
  * not reset it, but it can only finish while they touch the platform.
  */
 final class HoldClock {
@@ -19,7 +19,7 @@ final class HoldClock {
         grace = graceSteps;
     }
 
-    /** Tells whether the two touched in the step that ended now. */
+    /** Records whether balls and platform touched in the step that just ended. */
     void observe(int now, boolean touches) {
         isTouching = touches;
         if (began != NEVER && isLetGo(now - lastTouch - (touches ? 1 : 0))) {
@@ -31,7 +31,7 @@ final class HoldClock {
         }
     }
 
-    /** A step without a gap never lets go, even where the grace is nought. */
+    /** Whether a gap resets the hold. Consecutive steps never do, even with a grace of 0. */
     private boolean isLetGo(int stepsApart) {
         return stepsApart > 0 && stepsApart >= grace;
     }
@@ -45,7 +45,7 @@ final class HoldClock {
         return lastTouch != NEVER;
     }
 
-    /** How much of the hold has passed, 0 to 1. */
+    /** Share of the hold that has passed, 0 to 1. */
     double fraction(int now) {
         return Math.min(1, steps(now) / (double) length);
     }

@@ -10,14 +10,14 @@ import java.util.List;
 final class Trace {
 
     /**
-     * Steps between two hashes: near enough to locate a difference, and few enough for a small
+     * Steps between two hashes: few enough to locate a difference, and many enough for a small
      * file.
      */
     private static final int EVERY = Steps.of(0.5);
 
     private final List<Checkpoint> checkpoints = new ArrayList<>();
 
-    /** Call at the start and after each step up to the end. */
+    /** Must be called at the start and after each step up to the end. */
     void observe(int steps, Outcome outcome, Pool pool) {
         if (steps % EVERY == 0 || outcome != Outcome.RUNNING) {
             checkpoints.add(new Checkpoint(steps, pool.stateHash()));
