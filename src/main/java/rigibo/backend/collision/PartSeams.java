@@ -24,8 +24,10 @@ final class PartSeams {
     /** Sine of the angle up to which two faces count as lying flat on each other. */
     private static final double FLAT = 1e-2;
 
-    /** Round-off of the direction between two closest points, and of the end of a surface. */
-    private static final double ROUND_OFF = 1e-5;
+    /**
+     * Sine of that angle where the normal is the line between closest points, exact to round-off.
+     */
+    private static final double CLOSEST = 1e-5;
 
     /** Height above a surface, in widths, up to which a body slides on it. */
     private static final double LEVEL = 1e-3;
@@ -102,7 +104,7 @@ final class PartSeams {
         double x = side * pairs.normalX[pair];
         double y = side * pairs.normalY[pair];
         boolean isOfFace = pairs.faceOf[pair] != Pairs.NONE;
-        int leads = leads(outline, pose, x, y, isOfFace ? FLAT : ROUND_OFF);
+        int leads = leads(outline, pose, x, y, isOfFace ? FLAT : CLOSEST);
         // A corner at a seam can be touched if it lies on a face of the other body.
         if (leads < 0 || isOfFace) {
             return leads == Outline.INSIDE;
