@@ -62,7 +62,7 @@ final class OrderSearch {
             List<List<Act>> lost,
             Optional<List<Act>> shorter) {}
 
-    /** Some clicks and the outcome. */
+    /** Some clicks and how they ended. */
     private record Course(List<Act> clicks, Verdict verdict) {}
 
     Found search() {
@@ -89,9 +89,9 @@ final class OrderSearch {
     }
 
     /**
-     * Whether some game wins with at most par more clicks than those made.
+     * Whether some game wins with up to par clicks more than those made.
      *
-     * @param until step until which a player watches after them
+     * @param until step until which a player looks on after them
      */
     boolean winsAfter(List<Act> made, int until) {
         int ready = made.get(made.size() - 1).step() + cooldown;
@@ -125,7 +125,8 @@ final class OrderSearch {
     }
 
     /**
-     * Plays games. A game is dropped if one of its targets has meanwhile fallen out of the world.
+     * Plays games. One whose click comes to a body that has meanwhile fallen out of the world is
+     * dropped.
      */
     private List<Course> played(List<List<Act>> some) {
         return games.each(some)
@@ -139,7 +140,7 @@ final class OrderSearch {
         return all.subList(0, Math.min(all.size(), MOST_GAMES));
     }
 
-    /** The clicks of each course with one more. */
+    /** The clicks of each course, and one more. */
     private List<List<Act>> nexts(List<Course> round) {
         List<List<Act>> all = new ArrayList<>();
         round.forEach(course -> all.addAll(nexts(course.clicks, moments(course))));
@@ -164,7 +165,7 @@ final class OrderSearch {
         return longer;
     }
 
-    /** Steps at which one more click may lead to a different game. */
+    /** Steps at which one more click may lead to another game. */
     private IntStream moments(Course course) {
         int clicks = course.clicks.size();
         int ready = clicks == 0 ? 0 : course.clicks.get(clicks - 1).step() + cooldown;

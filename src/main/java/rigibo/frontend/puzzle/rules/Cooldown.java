@@ -10,7 +10,7 @@ final class Cooldown {
         length = steps;
     }
 
-    /** Whether a click is allowed; exactly at the cooldown's end it is. */
+    /** Exactly at its end the next click is allowed. */
     boolean isReady(int now) {
         return now >= readyAt;
     }

@@ -1,7 +1,7 @@
 package rigibo.frontend.puzzle.rules;
 
 /**
- * Measures how long all balls together have stayed on the platform. Gaps shorter than the grace do
+ * Counts how long all balls together have stayed on the platform. Gaps shorter than the grace do
  * not reset it, but it can only finish while they touch the platform.
  */
 final class HoldClock {
@@ -19,7 +19,7 @@ final class HoldClock {
         grace = graceSteps;
     }
 
-    /** Records whether balls and platform touched in the step that just ended. */
+    /** Tells whether the two touched in the step that ended now. */
     void observe(int now, boolean touches) {
         isTouching = touches;
         if (began != NEVER && isLetGo(now - lastTouch - (touches ? 1 : 0))) {

@@ -17,7 +17,7 @@ final class Trace {
 
     private final List<Checkpoint> checkpoints = new ArrayList<>();
 
-    /** Must be called at the start and after each step up to the end. */
+    /** Call at the start and after each step up to the end. */
     void observe(int steps, Outcome outcome, Pool pool) {
         if (steps % EVERY == 0 || outcome != Outcome.RUNNING) {
             checkpoints.add(new Checkpoint(steps, pool.stateHash()));
