@@ -9,7 +9,7 @@ public final class Logger {
         System.err.println(message);
     }
 
-    /** A text, whose {} are replaced. */
+    /** Writes a text with its {} replaced. */
     public static void warn(String message, Object... values) {
         String text = message;
         for (Object value : values) {

@@ -17,30 +17,30 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /**
- * Prints what proofs find, the hash of the state that each of some random programs leaves, and
- * whether runs of levels go as they were recorded: the same lines on the JVM and in a browser.
+ * Prints the findings of proofs, the hashes of the states that some random programs leave, and
+ * whether recorded runs of levels replay: the same lines on the JVM and in a browser.
  */
 public final class Bits {
 
-    /** What all lines begin with. */
+    /** Beginning of all lines. */
     public static final String MARK = "bits of ";
 
-    /** Name of the folder of recorded runs among the files of the page. */
+    /** Name of the folder of recorded runs among the page's files. */
     public static final String RUNS = "runs";
 
     private static final Path HOME = Path.of("/game");
 
-    /** Programs that are run. */
+    /** Number of programs. */
     private static final int COUNT = 100;
 
     private static final long SEED = 25;
 
-    /** A program of more bodies may take a minute in a single step, at its accuracy. */
+    /** Most bodies of a program: with more, a single step may take a minute at its accuracy. */
     private static final int MOST_BODIES = 12;
 
     private Bits() {}
 
-    /** In a browser, with the files that the page has brought along. */
+    /** Runs in a browser, with the page's files. */
     public static void main(String[] arguments) throws IOException {
         System.setProperty("rigibo.home", HOME.toString());
         Brought.unpackTo(HOME);
@@ -85,7 +85,10 @@ public final class Bits {
         return Long.toHexString(stage.pool().stateHash()) + ", refused " + refused;
     }
 
-    /** Programs also ask for what the engine must refuse. */
+    /**
+     * Whether the engine accepted an operation; programs also ask for operations that it must
+     * refuse.
+     */
     private static boolean isDone(Operation operation, Stage stage) {
         try {
             operation.act().accept(stage);

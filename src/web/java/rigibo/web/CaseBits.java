@@ -4,12 +4,12 @@ import rigibo.lab.hardcase.HardCase;
 import rigibo.lab.hardcase.HardCases;
 import rigibo.lab.hardcase.Preset;
 
-/** Prints a hash of the states that each hard case goes through at GAME. */
+/** Prints a hash of the states of each hard case at GAME. */
 public final class CaseBits {
 
     private CaseBits() {}
 
-    /** In a browser. */
+    /** Runs in a browser. */
     public static void main(String[] arguments) {
         print();
     }
@@ -25,7 +25,7 @@ public final class CaseBits {
         return Bits.MARK + "case " + hardCase.row() + ": " + outcome(hardCase);
     }
 
-    /** One broken case must not hide what comes of the others. */
+    /** The result of a case; a broken one must not hide those of the others. */
     private static String outcome(HardCase hardCase) {
         try {
             return Long.toHexString(hardCase.states(Preset.GAME));

@@ -12,7 +12,8 @@ import java.util.Random;
 import java.util.stream.IntStream;
 
 /**
- * Prints the level of a seed, what it took to find it, and what a proof finds wrong with a draft.
+ * Prints the level of a seed, the effort of finding it, and the problems that a proof finds in a
+ * draft.
  */
 final class Proofs {
 

@@ -9,19 +9,19 @@ import rigibo.lab.engine.RigiBoEngine;
 import java.util.Arrays;
 import java.util.List;
 
-/** Prints what a step of some scenes of the bench takes, on the JVM and in a browser. */
+/** Prints the time of a step in some scenes of the bench, on the JVM and in a browser. */
 public final class Times {
 
-    /** What all lines begin with. */
+    /** Beginning of all lines. */
     public static final String MARK = "times of ";
 
-    /** A crowd that falls, a pile that comes to rest, and chains of joints. */
+    /** A falling crowd, a pile that comes to rest, and chains of joints. */
     public static final List<String> SCENES = List.of("rain-mixed-200", "settle-20", "bridge");
 
     /** Steps of a run: 5 s. */
     private static final int STEPS = 300;
 
-    /** Runs until code is compiled as well as it will be, and those of which the median counts. */
+    /** Runs before the code is fully compiled, and runs of which the median is taken. */
     private static final int WARMING = 5;
 
     private static final int TIMED = 5;
@@ -31,7 +31,7 @@ public final class Times {
     private Times() {}
 
     /**
-     * Prints a line for each scene: its name, what a step takes in µs, and the state at the end.
+     * Prints a line for each scene: its name, the time of a step in µs, and the state at the end.
      */
     public static void main(String[] arguments) {
         for (String name : SCENES) {
@@ -49,7 +49,7 @@ public final class Times {
         }
     }
 
-    /** A run of a scene: what it took, ns, and the hash of its end. */
+    /** A run of a scene: its time, ns, and the hash of its end. */
     private record Run(long nanos, long state) {
 
         static Run of(String name) {

@@ -201,7 +201,7 @@ public final class Broadphase {
 
     private void coverPose(int body) {
         for (int slot = body; slot != Pairs.NONE; slot = bodies.nextShapeOf(slot)) {
-            // Mostly the fixture holds even the bounding circle, which is quicker to tell.
+            // Usually the fixture holds even the bounding circle, which is a faster test.
             fixtures.sweepAround(body, 0);
             if (fixtures.isCovered(slot)) {
                 continue;

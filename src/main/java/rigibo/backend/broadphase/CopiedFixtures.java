@@ -5,12 +5,12 @@ public final class CopiedFixtures {
 
     private final FixtureTree tree = new FixtureTree();
 
-    /** Copies the present fixtures; nobody may search meanwhile. */
+    /** Copies the present fixtures; no search may run meanwhile. */
     public void copy(Broadphase from) {
         tree.copy(from.store().searchedTree());
     }
 
-    /** A search of one thread's own, valid until the next copy. */
+    /** A search for one thread, valid until the next copy. */
     public FixtureSearch search() {
         return new FixtureSearch(tree);
     }

@@ -5,17 +5,17 @@ import rigibo.backend.storage.Found;
 import java.util.Arrays;
 
 /**
- * Fixtures by the square cell in which their lower left corner lies, in a hash table of cells: what
- * moves gets from cell to cell, and finds its neighbours, without walking through a tree.
+ * Fixtures by the square cell of their lower left corner, in a hash table of cells. A fixture
+ * changes cells, and a query finds neighbours, without walking through a tree.
  *
- * <p>There is a grid of its own for each power of two (hierarchical hash grids: C. Ericson,
- * Real-Time Collision Detection, 2005, section 7.2), and a fixture is in the one whose cells are at
- * least as large as it is, and less than twice as large. So a query looks at a few cells of each
- * grid, however unlike the sizes of bodies are.
+ * <p>Each power of two has a grid of its own (hierarchical hash grids: C. Ericson, Real-Time
+ * Collision Detection, 2005, section 7.2). A fixture is in the grid whose cells are at least as
+ * large as it is, and less than twice as large. So a query examines a few cells of each grid,
+ * however unlike the sizes of bodies are.
  *
- * <p>Round-off misses nothing, however far out: the corner of what reaches a box is not below the
- * rounded difference of the box's corner and the greatest width, and the number of a cell never
- * falls as places grow.
+ * <p>Round-off misses no fixture, however far out. The corner of a fixture that reaches a box is
+ * not below the rounded difference of the box's corner and the greatest width, and the number of a
+ * cell never falls as places grow.
  */
 final class FixtureGrid {
 
@@ -26,10 +26,13 @@ final class FixtureGrid {
 
     private static final int METRE = 32;
 
-    /** Farthest cell from the origin that holds something: doubles tell it from the next one. */
+    /**
+     * Farthest cell from the origin that may hold a fixture: doubles still tell it from the next
+     * one.
+     */
     private static final double FARTHEST = 1L << 50;
 
-    /** Cells that are looked at before looking at all fixtures is considered. */
+    /** Number of cells up to which a query never examines all fixtures instead. */
     private static final double FEW_CELLS = 64;
 
     /** Multiples of the golden ratio spread the rows of cells over the table. */
@@ -40,7 +43,7 @@ final class FixtureGrid {
     /** Cells per metre, by level. */
     private static final double[] CELLS_PER_METRE = new double[LEVELS];
 
-    /** Where the rows of a level begin in the table: those of two levels must not coincide. */
+    /** First row of each level in the table; those of two levels must not coincide. */
     private static final long[] FIRST_ROW = new long[LEVELS];
 
     static {
@@ -52,7 +55,7 @@ final class FixtureGrid {
         }
     }
 
-    /** First fixture of each entry of the table, and by how much a hash is shifted to be one. */
+    /** First fixture of each entry of the table; and the shift that makes a hash an index of it. */
     private int[] first = filled(FIRST_CAPACITY);
 
     private int shift = Long.SIZE - Integer.numberOfTrailingZeros(FIRST_CAPACITY);
@@ -66,12 +69,12 @@ final class FixtureGrid {
     /** Boxes, four doubles each: min x, min y, max x, max y. */
     private double[] box = new double[4 * FIRST_CAPACITY];
 
-    /** Fixtures in each level, a bit for each level that has some, and their number in all. */
+    /** Number of fixtures in each level, a bit for each level that has some, and the total. */
     private final int[] population = new int[LEVELS];
 
     private long populated;
 
-    /** Widest and highest box of each level since it was populated, rounded up, m. */
+    /** Greatest width and height of a box in each level since it was last empty, rounded up, m. */
     private final double[] widest = new double[LEVELS];
 
     private final double[] highest = new double[LEVELS];
@@ -81,8 +84,8 @@ final class FixtureGrid {
     private long looked;
 
     /**
-     * Puts the box of a fixture (m) into its cell, from its former one if it is here already;
-     * returns false, and changes nothing, where no cell is fit to hold it.
+     * Puts the box of a fixture (m) into its cell, or moves it there from another one; returns
+     * false and changes nothing if the cell is too far out.
      */
     boolean put(int number, double minX, double minY, double maxX, double maxY) {
         int wanted = Math.getExponent(Math.max(maxX - minX, maxY - minY)) + 1 + METRE;
@@ -129,7 +132,6 @@ final class FixtureGrid {
         count++;
     }
 
-    /** Takes a fixture out. */
     void remove(int number) {
         unlink(number);
         int former = level[number];
@@ -169,7 +171,7 @@ final class FixtureGrid {
         for (long rest = populated; rest != 0; rest &= rest - 1) {
             int each = Long.numberOfTrailingZeros(rest);
             double scale = CELLS_PER_METRE[each];
-            // What reaches the box begins no farther before it than the widest of them is wide.
+            // A box that reaches this one begins at most the greatest width before it.
             double left = Math.floor((minX - widest[each]) * scale);
             double bottom = Math.floor((minY - highest[each]) * scale);
             double columns = Math.floor(maxX * scale) - left + 1;
@@ -185,7 +187,7 @@ final class FixtureGrid {
         }
     }
 
-    /** Looks at some entries side by side. */
+    /** Examines some consecutive entries. */
     private void look(
             int start,
             int entries,
@@ -215,7 +217,7 @@ final class FixtureGrid {
         looked += seen;
     }
 
-    /** Entry of a cell. Cells of a row are side by side, so that they are read together. */
+    /** Entry of a cell. The cells of a row are consecutive, so that they are read together. */
     private int entryOf(long column, long row, int ofLevel) {
         long start = row * SPREAD + FIRST_ROW[ofLevel] >>> shift;
         return (int) (start + column) & first.length - 1;
@@ -247,7 +249,7 @@ final class FixtureGrid {
         next[before] = next[number];
     }
 
-    /** Makes room for a fixture, and for as many entries as fixtures. */
+    /** Makes room for a fixture, with as many entries as fixtures. */
     private void hold(int number) {
         if (number >= next.length) {
             lengthen(Math.max(next.length / 2 * 3, number + 1));

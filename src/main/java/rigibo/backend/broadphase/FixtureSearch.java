@@ -36,7 +36,7 @@ public final class FixtureSearch {
         return found;
     }
 
-    /** Appends what shares a point with a box, in no order. */
+    /** Appends the fixtures that share a point with a box, in no order. */
     void collect(double minX, double minY, double maxX, double maxY, Found into) {
         double[] box = tree.boxes();
         int depth = push(0, tree.top());
@@ -74,7 +74,7 @@ public final class FixtureSearch {
         return walk;
     }
 
-    /** Begins such a walk for a box, in m relative to the moving point of the ray. */
+    /** Begins a walk of a box, in m relative to the moving point of the ray. */
     public RayWalk walk(Aabb box, double fromX, double fromY, double toX, double toY) {
         walk.begin(box, fromX, fromY, toX, toY);
         return walk;

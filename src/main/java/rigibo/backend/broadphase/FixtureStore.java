@@ -4,15 +4,15 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Found;
 
 /**
- * Keeps the fixtures of all shapes: of what moves, if not too large, in a grid, all others in a
- * tree. The grid is quick to change, and answers only boxes not much larger than its fixtures; the
- * tree answers rays and boxes of any size, and what it holds costs nothing while it stays.
+ * Keeps the fixtures of all shapes: those of moving bodies, if not too large, in a grid, all others
+ * in a tree. The grid is quick to change, but answers only boxes not much larger than its fixtures.
+ * The tree answers rays and boxes of any size, and fixtures that stay in it cost nothing.
  *
- * <p>Where a fixture is kept makes no difference to what is found, so that no step depends on it.
+ * <p>Results do not depend on where a fixture is kept, so steps do not depend on it, either.
  */
 final class FixtureStore {
 
-    /** In place of a leaf: the fixture is in the grid. */
+    /** Value in place of a leaf: the fixture is in the grid. */
     private static final int IN_GRID = -1;
 
     private final Bodies bodies;
@@ -22,14 +22,13 @@ final class FixtureStore {
     private final GridBranch branch = new GridBranch(tree, grid);
     private final Found found = new Found();
 
-    /** Whether searches of the tree go through what is in the grid, too. */
+    /** Whether searches of the tree include the fixtures in the grid. */
     private boolean isGathered = true;
 
     FixtureStore(Bodies bodies) {
         this.bodies = bodies;
     }
 
-    /** Adds the fixture of a shape. */
     void add(int slot) {
         bodies.leaf[slot] =
                 tree.insert(
@@ -41,7 +40,7 @@ final class FixtureStore {
         change();
     }
 
-    /** From now on the branch of what is in the grid is not that any more. */
+    /** Takes the branch over the grid's fixtures off the tree, since it is out of date. */
     private void change() {
         if (isGathered) {
             tree.forgetSearched();
@@ -49,7 +48,6 @@ final class FixtureStore {
         }
     }
 
-    /** Removes the fixture of a shape. */
     void remove(int slot) {
         if (bodies.leaf[slot] == IN_GRID) {
             grid.remove(slot);
@@ -89,7 +87,7 @@ final class FixtureStore {
                 bodies.fixtureMaxY[slot]);
     }
 
-    /** Puts the fixture of a shape that came to rest where it costs nothing. */
+    /** Moves the fixture of a shape that came to rest to the tree, where it costs nothing. */
     void settle(int slot) {
         if (bodies.leaf[slot] == IN_GRID) {
             grid.remove(slot);
@@ -123,7 +121,7 @@ final class FixtureStore {
         return grid.looked();
     }
 
-    /** The tree, through which all fixtures are found until the next one changes. */
+    /** The tree with all fixtures, valid until the next one changes. */
     FixtureTree searchedTree() {
         if (!isGathered) {
             branch.hang();
@@ -132,7 +130,7 @@ final class FixtureStore {
         return tree;
     }
 
-    /** Searches all fixtures by box and by ray, until the next one changes. */
+    /** A search of all fixtures by box and by ray, valid until the next one changes. */
     FixtureSearch search() {
         searchedTree();
         return search;

@@ -21,7 +21,7 @@ final class FixtureTree {
 
     private static final int FIRST_CAPACITY = 32;
 
-    /** Most branches that are looked at for a place. */
+    /** Greatest number of branches examined for a place. */
     private static final int MOST_LOOKED = 128;
 
     private final Slots slots = new Slots();
@@ -34,16 +34,13 @@ final class FixtureTree {
 
     private int[] parent = new int[FIRST_CAPACITY];
 
-    /**
-     * Two per node: the children of a branch; for a leaf {@link #NONE} and the number that it
-     * carries.
-     */
+    /** Two per node: the children of a branch; for a leaf {@link #NONE} and its number. */
     private int[] child = new int[2 * FIRST_CAPACITY];
 
     /** Boxes, four doubles per node: min x, min y, max x, max y. */
     private double[] box = new double[4 * FIRST_CAPACITY];
 
-    /** Branches to look at for a place, and what it adds to all branches above them, m. */
+    /** Branches to examine for a place, and the perimeter that the place adds above them, m. */
     private int[] places = new int[64];
 
     private double[] added = new double[64];
@@ -65,8 +62,8 @@ final class FixtureTree {
 
     /**
      * Gives a leaf another box. Within the branch two levels up the leaf keeps its place, and
-     * rotations repair the cost; a leaf that went farther is inserted again, under the lowest
-     * branch that holds its new box.
+     * rotations repair the cost; a leaf that left it is inserted again, under the lowest branch
+     * that holds its new box.
      */
     void move(int leaf, double minX, double minY, double maxX, double maxY) {
         top = NONE;
@@ -81,9 +78,7 @@ final class FixtureTree {
         }
     }
 
-    /**
-     * Becomes a copy of another tree that can be searched, but not changed: it lacks the parents.
-     */
+    /** Becomes a copy of another tree that can be searched but not changed: it has no parents. */
     void copy(FixtureTree from) {
         int nodes = from.top == NONE ? from.slots.high : from.nextSearched;
         if (2 * nodes > child.length) {
@@ -95,24 +90,23 @@ final class FixtureTree {
         System.arraycopy(from.box, 0, box, 0, 4 * nodes);
     }
 
-    /** The root node, or {@link #NONE}. */
     int root() {
         return root;
     }
 
-    /** Where a search begins: the root, or {@link #NONE}, or what else is to be searched too. */
+    /** First node of a search: the root, the node of {@link #searchAlso}, or {@link #NONE}. */
     int top() {
         return top == NONE ? root : top;
     }
 
-    /** Makes room for nodes that are searched until the tree changes, and forgets former ones. */
+    /** Makes room for nodes that are searched until the tree changes; former ones are dropped. */
     void makeRoomForSearched(int nodes) {
         forgetSearched();
         nextSearched = slots.high;
         makeRoom(slots.high + nodes);
     }
 
-    /** Adds such a leaf with a number and its box, the four values from a place on; returns it. */
+    /** Adds such a leaf with a number and a box, four values from an index on; returns the leaf. */
     int addSearchedLeaf(int carried, double[] boxes, int at) {
         int leaf = nextSearched++;
         setLeaf(leaf, carried);
@@ -120,7 +114,7 @@ final class FixtureTree {
         return leaf;
     }
 
-    /** Adds a branch over two of them; returns it. */
+    /** Adds a branch over two such nodes; returns it. */
     int addSearchedBranch(int one, int two) {
         int branch = nextSearched++;
         child[2 * branch] = one;
@@ -129,12 +123,12 @@ final class FixtureTree {
         return branch;
     }
 
-    /** Lets searches go through such a node besides the tree, until the tree changes. */
+    /** Makes searches include such a node besides the tree, until the tree changes. */
     void searchAlso(int node) {
         top = root == NONE ? node : addSearchedBranch(root, node);
     }
 
-    /** Lets searches go through the tree alone. */
+    /** Makes searches use the tree alone. */
     void forgetSearched() {
         top = NONE;
     }
@@ -143,12 +137,10 @@ final class FixtureTree {
         return child[2 * node] == NONE;
     }
 
-    /** The number of a leaf. */
     int carried(int leaf) {
         return child[2 * leaf + 1];
     }
 
-    /** The two children of a branch. */
     int first(int branch) {
         return child[2 * branch];
     }
@@ -182,7 +174,7 @@ final class FixtureTree {
         child[2 * leaf + 1] = carried;
     }
 
-    /** The lowest branch, from one upwards, whose box holds that of a leaf; else the root. */
+    /** The lowest branch, from one upwards, whose box holds that of a leaf; otherwise the root. */
     private int holderOf(int leaf, int from) {
         int holder = from == NONE ? root : from;
         while (holder != root && !holds(holder, leaf)) {
@@ -249,10 +241,10 @@ final class FixtureTree {
 
     /**
      * Finds the place that costs least: the perimeter of the new branch there, plus what it adds to
-     * all branches above. It follows the side that adds less first, and the other one as long as it
-     * may cost less than the best place so far (branch and bound: J. Bittner, M. Hapala and V.
+     * all branches above. The search follows the cheaper side first, and the other one as long as
+     * it may cost less than the best place so far (branch and bound: J. Bittner, M. Hapala and V.
      * Havran, Fast Insertion-Based Optimization of Bounding Volume Hierarchies, 2013). Following
-     * one side alone, what is added from left to right over a wide floor would hang in a chain.
+     * one side alone would make a chain of boxes added from left to right over a wide floor.
      */
     private int bestSibling(int leaf, int under) {
         double own = perimeter(leaf);

@@ -5,14 +5,16 @@ import rigibo.backend.storage.Found;
 import java.util.Arrays;
 
 /**
- * Hangs all fixtures of a grid under one branch of a tree at once, for rays and boxes that ask the
- * tree. The leaves are in the order of a Z curve (G. Morton, 1966), so that neighbours in it are
- * neighbours in space, and a branch holds those of one half of its parent's way along it. That
- * takes a tenth of the time of inserting them.
+ * Builds one branch over all fixtures of a grid and adds it to a tree, for rays and boxes that
+ * search the tree. The leaves are in the order of a Z curve (G. Morton, 1966), so that neighbours
+ * on it are neighbours in space; a branch holds the leaves of one half of its parent's stretch of
+ * the curve. That takes a tenth of the time of inserting them.
  */
 final class GridBranch {
 
-    /** Columns and rows along the curve, as a power of two, and the digits sorted at once. */
+    /**
+     * Columns and rows along the curve, as a power of two; also the number of bits sorted at once.
+     */
     private static final int BITS = 11;
 
     private static final int DIGITS = 1 << BITS;
@@ -21,7 +23,7 @@ final class GridBranch {
     private final FixtureGrid grid;
     private final Found fixtures = new Found();
 
-    /** Place along the curve of each fixture; both lists are sorted into the other two and back. */
+    /** Place on the curve of each fixture; both lists are sorted into the other two and back. */
     private int[] place = new int[0];
 
     private int[] placeSorted = new int[0];
@@ -33,7 +35,7 @@ final class GridBranch {
         this.grid = grid;
     }
 
-    /** Makes the branch; until the next change of the tree or the grid, searches go through it. */
+    /** Builds the branch; searches include it until the tree or the grid changes. */
     void hang() {
         fixtures.clear();
         grid.list(fixtures);
@@ -48,7 +50,7 @@ final class GridBranch {
         alongTheCurve();
         sort(fixtures.numbers, place, sorted, placeSorted, 0);
         sort(sorted, placeSorted, fixtures.numbers, place, BITS);
-        // Leaves, branches over all of them, and one more over these and the tree.
+        // The leaves, branches over all of them, and one more branch over these and the tree.
         tree.makeRoomForSearched(2 * fixtures.count);
         tree.searchAlso(nodeOver(0, fixtures.count));
     }
@@ -70,7 +72,7 @@ final class GridBranch {
         double rows = (DIGITS - 1) / (maxY - minY);
         for (int i = 0; i < fixtures.count; i++) {
             int at = 4 * fixtures.numbers[i];
-            // All in one row or column: 0 · ∞ is no number, and no number is cast to 0.
+            // If all lie in one row or column, 0 · ∞ is NaN, and the cast makes it 0.
             int column = (int) ((box[at] - minX) * columns);
             int row = (int) ((box[at + 1] - minY) * rows);
             place[i] = spread(column) | spread(row) << 1;
@@ -86,7 +88,7 @@ final class GridBranch {
         return (wide | wide << 1) & 0x55555555;
     }
 
-    /** Sorts by the digits from a bit on, and leaves the order of equal ones. */
+    /** Sorts by the digits from a bit on; equal numbers keep their order. */
     private void sort(int[] numbers, int[] keys, int[] numbersTo, int[] keysTo, int bit) {
         Arrays.fill(start, 0);
         for (int i = 0; i < fixtures.count; i++) {
@@ -102,7 +104,7 @@ final class GridBranch {
         }
     }
 
-    /** A node over those from one place on the curve to before another one. */
+    /** A node over the fixtures between two indices of the sorted list, the second excluded. */
     private int nodeOver(int from, int until) {
         if (until - from > 1) {
             int middle = from + until >>> 1;

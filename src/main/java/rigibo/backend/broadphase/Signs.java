@@ -1,9 +1,9 @@
 package rigibo.backend.broadphase;
 
 /**
- * Comparisons of boxes with one branch. Whether two boxes are apart along one axis is as good as
- * chance to a processor, and guessing wrong costs as much as all four subtractions; whether they
- * meet it foresees well, for they seldom do.
+ * Comparisons of boxes with one branch. A processor cannot predict whether two boxes are apart
+ * along one axis, and a wrong guess costs as much as all four subtractions. It predicts well
+ * whether they overlap, since they seldom do.
  */
 final class Signs {
 

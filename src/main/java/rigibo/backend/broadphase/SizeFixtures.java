@@ -26,9 +26,9 @@ final class SizeFixtures {
     private static final double STEPS_AHEAD = 3;
 
     /**
-     * Least number of those steps for a body without neighbours: it seldom meets any, and then it
-     * gets a new fixture. The number differs from body to body, since bodies thrown alike would
-     * otherwise all leave their fixtures in the same step.
+     * Least number of those steps for a body without neighbours. Such a body seldom gets a
+     * neighbour, and when it does, it gets a new fixture. The number differs from body to body,
+     * since bodies thrown alike would otherwise all leave their fixtures in the same step.
      */
     private static final int LEAST_AHEAD_ALONE = 8;
 

@@ -24,10 +24,10 @@ final class FormerPoints {
 
     /**
      * The old point of a pair that point {@code i} of the manifold continues, or {@link
-     * Pairs#NONE}; the bodies have moved together by a displacement since, m. Two points continue
-     * two points in their order along the surface, whatever their features. Otherwise two equal
-     * boxes on each other would lose their warm start whenever round-off makes the other box's
-     * corner stand out.
+     * Pairs#NONE}; both bodies have moved since by a common displacement, m. If the old and the new
+     * manifold have two points each, these continue each other in their order along the surface,
+     * whatever their features. Otherwise two equal boxes on each other would lose their warm start
+     * whenever round-off makes the other box's corner stand out.
      */
     int of(int pair, int i, double wayX, double wayY) {
         int first = 2 * pair;

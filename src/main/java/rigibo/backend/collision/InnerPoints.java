@@ -9,11 +9,11 @@ import java.util.Arrays;
 
 /**
  * Leaves out contact points of bodies with several parts that lie between two others on one line,
- * or at the place of another. Where the two outer points do not overlap, the ones between them do
- * not either, and whatever forces all of them can exert together, the two outer ones can: the inner
- * rows are redundant. A box made of two halves then stands on two points, as the box does; with
- * six, passes leave a load that the rows share in no unique way, and a landing is answered part by
- * part.
+ * or at the place of another. If the two outer points do not overlap, the ones between them do not,
+ * either. Any load that all of them can carry together, the two outer ones can carry alone: the
+ * inner rows are redundant. So a box of two halves stands on two points, like a box of one piece.
+ * With six, the passes would find one of many distributions of the load, and a landing would be
+ * resolved part by part.
  */
 final class InnerPoints {
 
@@ -30,15 +30,14 @@ final class InnerPoints {
     private final OuterPoints outer;
 
     /**
-     * By hash of two bodies: the first and the last pair found between them, {@link Pairs#NONE}
-     * where there is none.
+     * By hash of two bodies: the first and the last pair found between them, or {@link Pairs#NONE}.
      */
     private int[] firstOf = new int[0];
 
     private int[] lastOf;
     private int mask;
 
-    /** By pair: the next one between the two bodies. */
+    /** By pair: the next one between the same two bodies. */
     private int[] after = new int[0];
 
     /** The first pair of each two bodies with several pairs, in the order of the active pairs. */
@@ -46,7 +45,7 @@ final class InnerPoints {
 
     private int groupCount;
 
-    /** The outer points of the line on which a point lies, and their distances from it, m. */
+    /** The outer points of a point's line, and their distances from the point, m. */
     private int below;
 
     private int above;
@@ -61,8 +60,8 @@ final class InnerPoints {
 
     /**
      * Leaves out the inner points of all active pairs at the start of a step of {@code dt} s. In
-     * flight each pair keeps its own one of two points at one place, or else the impact would
-     * depend on the order of pairs.
+     * flight, each of two pairs with a point at the same place keeps its own; otherwise the impact
+     * would depend on the order of pairs.
      */
     void leaveOut(double dt) {
         begin(pairs.activeCount);
@@ -73,8 +72,8 @@ final class InnerPoints {
     }
 
     /**
-     * Leaves out the inner points of all piles when the flight of a step of {@code dt} s has
-     * measured contacts of those who joined one, and of those beside them; puts the outer two in
+     * Leaves out the inner points of all piles, after the flight of a step of {@code dt} s has
+     * measured contacts of bodies that joined one and of those beside them; puts the outer two in
      * one pair.
      */
     void leaveOutOfPiles(double dt) {
@@ -105,8 +104,9 @@ final class InnerPoints {
     }
 
     /**
-     * The later pair with one point whose point lies farthest on the line, if there is any and the
-     * bodies hardly slide or turn on each other: their points stay where they are in the step.
+     * The later pair with a single point whose point lies farthest on the line, or {@link
+     * Pairs#NONE}. There is none if the bodies slide or turn on each other by more than a little,
+     * since then their points do not stay in place in the step.
      */
     private int lenderFor(int pair, double width, double dt) {
         int lender = Pairs.NONE;
@@ -160,7 +160,9 @@ final class InnerPoints {
         Arrays.fill(firstOf, 0, size, Pairs.NONE);
     }
 
-    /** Whether one of the bodies moves and has several parts; edges know their neighbours. */
+    /**
+     * Whether one of the bodies moves and has several parts. Edges of chains know their neighbours.
+     */
     private boolean isOfParts(int pair) {
         int a = pairs.shapeA(pair);
         int b = pairs.shapeB(pair);
@@ -227,8 +229,9 @@ final class InnerPoints {
     }
 
     /**
-     * Whether a point lies between the outer two, more than {@code away} m from both, which is how
-     * far it may slide in the step, and is not deeper than the line through them.
+     * Whether a point is redundant: it lies between the outer two, more than {@code away} m from
+     * both, the distance by which it may slide in the step, and is not deeper than the line through
+     * them.
      */
     private boolean isInner(int pair, int point, double width, double away) {
         if (below == Pairs.NONE || above == Pairs.NONE || !(Math.min(toBelow, toAbove) > away)) {
@@ -275,8 +278,8 @@ final class InnerPoints {
     }
 
     /**
-     * Whether two pairs, measured at the same poses, push along one normal, and their surfaces rub
-     * and bounce alike.
+     * Whether two pairs were measured at the same poses and have one normal and equal friction and
+     * elasticity.
      */
     private boolean isLike(int pair, int other) {
         double nx = pairs.normalX[pair];
@@ -313,11 +316,11 @@ final class InnerPoints {
     }
 
     /**
-     * Finds a point of another pair at the same place, where edges of two parts end. A later pair
-     * keeps it if it has more points, or else the earlier one: a part that only ends there may be
-     * left out as covered when it is measured again. Both stay where an outer point is within
-     * {@code away} m and may slide past them in the step: one pair loses its point then, and no one
-     * can tell which before.
+     * Finds a point of another pair at the same place, where edges of two parts end. The pair with
+     * more points keeps its point, or else the earlier one: a part that only ends there may be left
+     * out as covered when it is measured again. Both pairs keep theirs if an outer point is within
+     * {@code away} m, past which they may slide in the step: then one pair loses its point, and it
+     * is not known beforehand which.
      */
     private int twinOf(int first, int pair, int point, double width, double away) {
         double same = SeamPoint.FLUSH * width;
@@ -347,13 +350,13 @@ final class InnerPoints {
         double y = pairs.pointY[point];
         pairs.removePoint(pair, i);
         if (pairs.points[pair] == 0) {
-            // The contact is told of at this place.
+            // The report gives this place for the contact.
             pairs.pointX[2 * pair] = x;
             pairs.pointY[2 * pair] = y;
         }
     }
 
-    /** Adds a share of what a point carried to another one; by the law of the lever, to two. */
+    /** Adds a share of a point's forces to another one; by the law of the lever, to two. */
     private void handOver(int from, int to, double share) {
         pairs.normalForce[to] += share * pairs.normalForce[from];
         pairs.load[to] += share * pairs.load[from];

@@ -24,7 +24,9 @@ public final class Narrowphase {
     /** Smallest displacement that can be seen, per metre of body. */
     private static final double SHOWS = 0.02;
 
-    /** Number of active pairs from which on they are shared, and of those in a piece. */
+    /**
+     * Number of active pairs from which on workers share them; also the size of a worker's piece.
+     */
     private static final int WORTHWHILE = 512;
 
     private static final int GRAIN = 128;
@@ -39,12 +41,12 @@ public final class Narrowphase {
     private final Seams seams;
     private final WayOut wayOut;
 
-    /** Made with the first body that has several parts. */
+    /** Null until the first body with several parts. */
     private InnerPoints inner;
 
     private OuterPoints outer;
 
-    /** Made with the first shape that is solid on one side only. */
+    /** Null until the first shape that is solid on one side only. */
     private Passages passages;
 
     private final DataStorage data;
@@ -54,10 +56,10 @@ public final class Narrowphase {
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
 
-    /** Shares the measuring of many pairs; null for one worker. */
+    /** Workers among which many pairs are shared; null for one worker. */
     private Team team;
 
-    /** By worker: what measures pairs for it; this is the first. */
+    /** By worker: the narrow phase that measures its pairs; the first is this one. */
     private Narrowphase[] helpers = {this};
 
     private final Team.Pieces measuringPieces = this::measurePiece;
@@ -79,7 +81,7 @@ public final class Narrowphase {
         this.data = data;
     }
 
-    /** Lets a team measure pairs where they are many. */
+    /** Shares pairs among a team of workers where there are many. */
     public void share(Team workers) {
         team = workers;
         helpers = new Narrowphase[workers.size()];
@@ -89,7 +91,7 @@ public final class Narrowphase {
         }
     }
 
-    /** What measures pairs for a worker of the team; number 0 is this. */
+    /** The narrow phase for a worker of the team; for worker 0 it is this one. */
     public Narrowphase of(int worker) {
         return helpers[worker];
     }
@@ -137,12 +139,14 @@ public final class Narrowphase {
         }
     }
 
-    /** Whether pairs lend each other points, which one worker alone may measure again. */
+    /**
+     * Whether pairs lend each other points; such pairs may be measured again by one worker only.
+     */
     public boolean isLending() {
         return outer != null;
     }
 
-    /** Gives the points that pairs were lent back, when piles have been solved. */
+    /** Gives lent points back to their pairs, after piles have been solved. */
     public void giveOuterBack() {
         if (outer != null) {
             outer.settle();
@@ -180,7 +184,8 @@ public final class Narrowphase {
     }
 
     /**
-     * Whether a new measurement of bodies that have not moved would give the points that they have.
+     * Whether measuring the pair again would give its present points, since its bodies have not
+     * moved.
      */
     private boolean isMeasured(int pair, double reach) {
         if (!(reach <= pairs.reach[pair])) {
@@ -195,7 +200,7 @@ public final class Narrowphase {
         return pairs.points[pair] == 1 ? first : Math.max(first, pairs.separation[2 * pair + 1]);
     }
 
-    /** Keeps the manifold: every point continues itself. */
+    /** Keeps the manifold: each point continues itself. */
     private void goOn(int pair) {
         for (int i = 0; i < 2; i++) {
             pairs.former[2 * pair + i] = i < pairs.points[pair] ? i : Pairs.NONE;
@@ -207,7 +212,10 @@ public final class Narrowphase {
         pairs.impacts[pair] = 0;
     }
 
-    /** Finishes a pair after its neighbours are measured too, which decide what lies in a seam. */
+    /**
+     * Finishes a pair after its neighbours have been measured, since they decide whether a point
+     * lies in a seam.
+     */
     private void finish(int pair) {
         seams.leaveOutCovered(pair);
         noteTouch(pair);

@@ -10,26 +10,28 @@ import java.util.Arrays;
 
 /**
  * Lends a pair the contact point of another one between the same two bodies while piles are solved.
- * A box of two halves that stands on another touches it with two points, one of each half. As two
- * contacts they would rub twice along one line, which elimination cannot tell apart, and passes
- * would solve one end of the box after the other; as one contact of two points the box is solved as
- * if it were in one piece. Afterwards each pair has its own points and forces again, so that
- * contacts are told by part.
+ * A box of two halves stands on another box with two points, one of each half. As two contacts
+ * these would have two friction rows along one line, which elimination cannot tell apart, and
+ * passes would solve one end of the box after the other. As one contact of two points, the box is
+ * solved as if it were of one piece. Afterwards each pair has its own points and forces again, so
+ * that contacts are reported by part.
  */
 final class OuterPoints {
 
-    /** Marks the feature of a lent point, which could equal that of the borrower's own one. */
+    /**
+     * Bit that marks the feature of a lent point, which could equal that of the borrower's own one.
+     */
     private static final int LENT = 1 << 30;
 
     private final Bodies bodies;
     private final Pairs pairs;
 
-    /** The pairs that have been lent a point; by pair, the lender or {@link Pairs#NONE}. */
+    /** Pairs that have borrowed a point; and by pair, the lender or {@link Pairs#NONE}. */
     private final Found borrowers = new Found();
 
     private int[] lenderOf = new int[0];
 
-    /** By borrower: its impulse (N·s) and number of impacts before. */
+    /** By borrower: its impulse (N·s) and number of impacts before it borrowed. */
     private double[] impulseBefore = new double[0];
 
     private int[] impactsBefore = new int[0];
@@ -39,7 +41,7 @@ final class OuterPoints {
         pairs = data.pairs;
     }
 
-    /** Makes room for the present pairs, none of which has been lent a point. */
+    /** Makes room for the present pairs, none of which has borrowed a point. */
     void begin() {
         int room = pairs.room();
         if (lenderOf.length < room) {
@@ -50,7 +52,9 @@ final class OuterPoints {
         }
     }
 
-    /** Whether a pair may lend or borrow: it has one point, and corners that are not rounded. */
+    /**
+     * Whether a pair may lend or borrow: it has a single point, and its corners are not rounded.
+     */
     boolean mayTakePart(int pair) {
         return pairs.points[pair] == 1
                 && lenderOf[pair] == Pairs.NONE
@@ -75,7 +79,7 @@ final class OuterPoints {
         takeAll(borrower, lender, 0);
     }
 
-    /** The pair that has lent a point to another one, or {@link Pairs#NONE}. */
+    /** The pair that lent a point to another one, or {@link Pairs#NONE}. */
     int lenderOf(int pair) {
         return pair < lenderOf.length ? lenderOf[pair] : Pairs.NONE;
     }
@@ -98,8 +102,8 @@ final class OuterPoints {
     }
 
     /**
-     * Lends again after both pairs were measured within the step: the borrower gets the two points
-     * that lie farthest apart, of those that are deep. It had so many points of its own before.
+     * Lends again after both pairs were measured within the step: of the deep points, the borrower
+     * gets the two that lie farthest apart. Before, it had {@code ownBefore} points of its own.
      */
     void lendAgain(int borrower, int ownBefore) {
         int lender = lenderOf[borrower];
@@ -129,9 +133,10 @@ final class OuterPoints {
     }
 
     /**
-     * Removes one of three or four points: that farthest from the first and the last on the line,
-     * or if it lies deeper than the line through these two, the less deep of them. A foot may lie
-     * on the ground with the lower of its corners, and have another one farther out above it.
+     * Removes one of three or four points: the one farthest from the first and the last on the
+     * line. If that one lies deeper than the line through these two, the less deep of the two is
+     * removed instead: a foot may stand on the lower of its corners and have another corner farther
+     * out above the ground.
      */
     private void removeOne(int borrower, int lender) {
         int first = outermost(borrower, lender, -1);
@@ -187,7 +192,7 @@ final class OuterPoints {
                 - pairs.normalY[pair] * pairs.pointX[point];
     }
 
-    /** Gives all lent points back at the end of the step, with what they have carried. */
+    /** Gives all lent points back at the end of the step, with the loads that they carried. */
     void settle() {
         for (int i = 0; i < borrowers.count; i++) {
             settle(borrowers.numbers[i]);

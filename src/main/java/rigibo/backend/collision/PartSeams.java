@@ -9,28 +9,30 @@ import rigibo.backend.storage.Pairs;
 
 /**
  * Removes contact points inside the seams of a dynamic body, where two of its parts meet: such a
- * face or corner looks at the other part. A contact whose normal leads into a covered edge goes
- * however far off it is. Of the others only touching points are removed: one that is merely near
- * may reach another place of the face within the step, and a deep one came in through this face.
+ * face or corner looks at the other part. A contact whose normal leads into a covered edge is
+ * removed at any distance. Of other contacts only touching points are removed: a near point may
+ * reach another place of the face within the step, and a deep one came in through this face.
  */
 final class PartSeams {
 
     /**
-     * Overlap, in widths, beyond which any way out of a body with several parts is accepted; so
-     * deep a body did not come over a seam.
+     * Overlap, in widths, beyond which any way out of a body with several parts is accepted; a body
+     * so deep did not come over a seam.
      */
     static final double DEEP = 0.05;
 
     /** Sine of the angle up to which two faces count as lying flat on each other. */
     private static final double FLAT = 1e-2;
 
-    /** Round-off of the direction between two points that are closest, and of a surface's end. */
-    private static final double ROUND_OFF = 1e-5;
+    /**
+     * Sine of that angle where the normal is the line between closest points, exact to round-off.
+     */
+    private static final double CLOSEST = 1e-5;
 
     /** Height above a surface, in widths, up to which a body slides on it. */
     private static final double LEVEL = 1e-3;
 
-    /** Cosine of the largest angle by which a normal is turned to a surface. */
+    /** Cosine of the largest angle by which a normal is turned towards that of a surface. */
     private static final double STEEPEST = 0.8;
 
     private final Bodies bodies;
@@ -65,9 +67,9 @@ final class PartSeams {
     }
 
     /**
-     * Removes the points of a contact measured again, at poses within the step. Round bodies that
-     * have just come past the end of a part are held by the surface that the next part continues:
-     * their normal turns to it.
+     * Removes the points of a contact measured again, at poses within the step. A round body that
+     * has just passed the end of a part is held by the surface that the next part continues: the
+     * contact's normal turns to that of the surface.
      */
     void turnOrLeaveOut(int pair, Pose poseA, Pose poseB) {
         leaveOut(pair, poseA, poseB, true);
@@ -90,8 +92,8 @@ final class PartSeams {
     }
 
     /**
-     * Whether a contact's normal leads from one part of a body into the next, where nothing can
-     * ever touch; side is 1 if the part is A's and -1 if it is B's.
+     * Whether a contact's normal leads from one part of a body into the next, where no other body
+     * can touch; side is 1 if the part is A's and -1 if it is B's.
      */
     private boolean leadsInside(int pair, int side, Pose pose, double width, boolean isWithinStep) {
         int shape = side == 1 ? pairs.shapeA(pair) : pairs.shapeB(pair);
@@ -102,8 +104,8 @@ final class PartSeams {
         double x = side * pairs.normalX[pair];
         double y = side * pairs.normalY[pair];
         boolean isOfFace = pairs.faceOf[pair] != Pairs.NONE;
-        int leads = leads(outline, pose, x, y, isOfFace ? FLAT : ROUND_OFF);
-        // A corner at a seam that lies on a face of the other body is there to be touched.
+        int leads = leads(outline, pose, x, y, isOfFace ? FLAT : CLOSEST);
+        // A corner at a seam can be touched if it lies on a face of the other body.
         if (leads < 0 || isOfFace) {
             return leads == Outline.INSIDE;
         }
@@ -116,7 +118,7 @@ final class PartSeams {
         double toY = pose.sin * outX + pose.cos * outY;
         double above = x * toX + y * toY;
         if (centre * above - radius > LEVEL * width) {
-            // It may come down on the corner.
+            // The body may come down on the corner.
             return false;
         }
         boolean isHeld =
@@ -129,7 +131,7 @@ final class PartSeams {
         return !isHeld;
     }
 
-    /** Turns the normal at a corner; what touches it there is round, with a radius in m. */
+    /** Turns the normal at a corner that touches a round outline with a radius in m. */
     private void turn(int pair, int side, double toX, double toY, double radius) {
         double x = side * pairs.normalX[pair];
         double y = side * pairs.normalY[pair];

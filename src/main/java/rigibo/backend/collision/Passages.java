@@ -9,12 +9,12 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Decides which pairs with an edge of a chain or a one-way surface collide, and in which one body
- * passes through the other. While the two do not touch, their positions decide: they collide if the
+ * Decides for pairs with an edge of a chain or a one-way surface whether the bodies collide, or one
+ * passes through the other. While they do not touch, their positions decide: they collide if the
  * other body is in the air of the edge, or wholly on the side of the one-way surface's normal. From
- * the moment they touch the decision stays, however deep the overlap, until they have parted. A
- * body that is coming through one edge of a chain passes all the edges of that chain, because its
- * front already looks out of the matter.
+ * the moment they touch, the decision holds at any overlap, until they have parted. A body that is
+ * passing one edge of a chain passes all edges of that chain, because its front is already beyond
+ * the matter.
  */
 final class Passages {
 
@@ -78,7 +78,7 @@ final class Passages {
         return isPassing(pair) || comesThrough(pair);
     }
 
-    /** Whether two bodies are coming through each other in another of their pairs. */
+    /** Whether two bodies are passing through each other in another of their pairs. */
     private boolean comesThrough(int pair) {
         int a = pairs.bodyA[pair];
         int mover = bodies.isDynamic(a) ? a : pairs.bodyB[pair];
@@ -141,7 +141,7 @@ final class Passages {
         return known == Pairs.MEETS && areTouching(pair) ? Pairs.MEETS : Pairs.PASSES;
     }
 
-    /** Whether the bodies of a pair touch, or did in the step before, with any of their parts. */
+    /** Whether the bodies of a pair touch, or touched in the last step, with any of their parts. */
     private boolean areTouching(int pair) {
         int a = pairs.bodyA[pair];
         int mover = bodies.isDynamic(a) ? a : pairs.bodyB[pair];
@@ -159,7 +159,7 @@ final class Passages {
         return areTouching;
     }
 
-    /** How far an outline extends along a direction from the position of another one, m. */
+    /** Extent of an outline along a direction from the position of another one, m. */
     private static double highest(Outline outline, Pose at, double nx, double ny, Pose from) {
         double localX = at.cos * nx + at.sin * ny;
         double localY = at.cos * ny - at.sin * nx;

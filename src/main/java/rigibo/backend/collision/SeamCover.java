@@ -13,11 +13,11 @@ import rigibo.backend.storage.RoundOff;
  * the mover.
  *
  * <p>A point on a face is covered where a neighbour fills the space in front of the face, at the
- * point and on both sides as far as the mover extends. If it fills only a strip of it, the mover
- * stands in the corner of a floor and a wall, overlapping both a little. Beyond the mover's extent
- * the neighbour may leave the face, as below the kink between two plates that rise. A point on a
- * corner is covered where it lies on a neighbour that extends farther along the normal: then the
- * neighbour is nearer, and its own contact suffices.
+ * point and on both sides as far as the mover extends. If it fills only a strip of that space, the
+ * mover stands in the corner of a floor and a wall and overlaps both a little. Beyond the mover's
+ * extent the neighbour may leave the face, as below the kink between two plates that rise. A point
+ * on a corner is covered where it lies on a neighbour that extends farther along the normal: then
+ * the neighbour is nearer, and its own contact suffices.
  */
 final class SeamCover {
 
@@ -102,8 +102,8 @@ final class SeamCover {
 
     /**
      * First pair, among the shapes of the fixed body from {@code from} on, between another of its
-     * parts and the mover's shape. The index is used, since in a crowd a body is in ten times as
-     * many pairs as it has parts.
+     * parts and the mover's shape. The pairs are searched by index, since in a crowd a body is in
+     * ten times as many pairs as it has parts.
      */
     private int sibling(int from) {
         for (int s = from; s != Pairs.NONE; s = bodies.nextShapeOf(s)) {
@@ -118,7 +118,10 @@ final class SeamCover {
         return Pairs.NONE;
     }
 
-    /** Whether the two are near; points that lie between others may have been left out. */
+    /**
+     * Whether the two shapes are near. A near pair may have no points, if they were left out as
+     * inner ones.
+     */
     private boolean isNear(int pair) {
         return pairs.gap(pair) <= near || pairs.points[pair] == 0 && pairs.touching[pair];
     }
@@ -129,8 +132,8 @@ final class SeamCover {
     }
 
     /**
-     * Whether the face, which neighbours cover at the point, emerges from them where the mover may
-     * reach it: boxes that overlap like tiles are a floor too.
+     * Whether the face, which neighbours cover at the point, emerges from them within the mover's
+     * reach: overlapping boxes, like tiles, are a floor too.
      */
     boolean emerges(int pair) {
         return emerges(pair, 1, at.ahead) || emerges(pair, -1, at.behind);
@@ -218,8 +221,8 @@ final class SeamCover {
     }
 
     /**
-     * Poses a neighbour: a fixed one where its columns say, another part of the same body where
-     * that body is.
+     * Takes the pose of a neighbour: that of its columns for a fixed one, that of its body for
+     * another part of the same body.
      */
     private void placeNeighbour(int p) {
         if (at.isOfParts) {

@@ -9,12 +9,12 @@ import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.RoundOff;
 
 /**
- * A point of a fixed body at which another body may touch it: the two bodies, their poses, and the
- * face on which the point lies.
+ * A point at which the mover may touch a fixed body: the two bodies, their poses, and the face on
+ * which the point lies.
  */
 final class SeamPoint {
 
-    /** Largest step in a floor that counts as none, per metre of the mover. */
+    /** Largest step in a floor that counts as level, per metre of the mover. */
     static final double FLUSH = 1e-5;
 
     /** Largest width of a seam that counts as closed, per metre of the mover. */
@@ -30,7 +30,7 @@ final class SeamPoint {
     private final Pairs pairs;
 
     /**
-     * Whether the seam is between two parts of one body, which then takes the role of the fixed
+     * Whether the seam is between two parts of one body; that body then takes the role of the fixed
      * one.
      */
     boolean isOfParts;
@@ -88,7 +88,7 @@ final class SeamPoint {
         return pose.y + pose.sin * polygon.cornerX(corner) + pose.cos * polygon.cornerY(corner);
     }
 
-    /** Finds the face to which the normal belongs, from the corners at the height of the point. */
+    /** Finds the face of the normal, by the corners at the height of the point. */
     boolean findFace() {
         Outline polygon = bodies.outline[fixedShape];
         double parallel = isFaceOfMover() ? PARALLEL : RoundOff.OF_PLACES;

@@ -97,7 +97,8 @@ final class Seams {
 
     /**
      * Removes the covered points of a contact. A body that only flies past a neighbour may still
-     * touch what the neighbour covers now, so its point is removed only if a face takes its place.
+     * touch a place that the neighbour covers now, so its point is removed only if a face takes its
+     * place.
      */
     private void leaveOut(int pair) {
         at.width = bodies.smallestWidth[at.mover];
@@ -144,9 +145,9 @@ final class Seams {
     /**
      * Replaces a covered point by a face of the fixed body: the uncovered face that the mover is
      * farthest in front of. A body at the foot of a wall overlaps the wall's lower corner by less
-     * than the wall, but that corner is inside the floor, and the wall's face is what the body
-     * enters. A body that reaches the next piece of a rising floor meets its face within the step,
-     * though only the covered corner is near yet.
+     * than the wall, but that corner is inside the floor, and the body enters the wall's face. A
+     * body that reaches the next piece of a rising floor meets its face within the step, though
+     * only the covered corner is near yet.
      */
     private boolean turnsToFace(int pair, int point) {
         Outline polygon = bodies.outline[at.fixedShape];
@@ -185,10 +186,10 @@ final class Seams {
     }
 
     /**
-     * Moves the point to where the mover is nearest to a face of the fixed body, or deepest in it;
-     * returns the separation there, m. It is −∞ where the mover cannot reach the face: a mover that
-     * has not come over it yet must be above its plane, since the face rises from the covered
-     * corner.
+     * Moves the point to the place where the mover is nearest to a face of the fixed body, or
+     * deepest in it; returns the separation there, m. It is −∞ if the mover cannot reach the face:
+     * a mover that is not over the face yet must be above its plane, since the face rises from the
+     * covered corner.
      */
     private double placeOnFace(Outline polygon, int face) {
         int next = face + 1 == polygon.corners() ? 0 : face + 1;

@@ -10,9 +10,9 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Replaces the manifold of two parts that overlap if it leads through a face that another part
- * covers, for such a face is no way out of a body. What comes over a seam leaves through the face
- * beside it, if that is near; what is deep, through any other one.
+ * Replaces the manifold of two overlapping parts if it leads through a face that another part
+ * covers, since such a face is no way out of a body. A shallow body leaves through the nearest face
+ * beside the seam; a deep one, through any other face.
  */
 final class WayOut {
 
@@ -28,7 +28,7 @@ final class WayOut {
         this.manifold = manifold;
     }
 
-    /** Looks at the manifold of a pair that was filled at these poses with this reach, m. */
+    /** Checks the manifold of a pair that was filled at these poses with this reach, m. */
     void take(int pair, Pose atA, Pose atB, double reach) {
         Outline outlineA = bodies.outline[pairs.shapeA(pair)];
         Outline outlineB = bodies.outline[pairs.shapeB(pair)];

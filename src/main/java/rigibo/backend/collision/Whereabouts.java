@@ -11,14 +11,14 @@ import java.util.Arrays;
  */
 final class Whereabouts {
 
-    /** Pose, m and rad; NaN for a body that was never compared. */
+    /** Pose, m and rad; NaN for a body that has not been compared yet. */
     private double[] x = {};
 
     private double[] y = {};
     private double[] angle = {};
     private boolean[] stayed = {};
 
-    /** By body: the step in which it was last compared. Then the number of this step. */
+    /** By body: the step in which it was last compared; and the number of this step. */
     private int[] lookedIn = {};
 
     private int step;
@@ -38,7 +38,7 @@ final class Whereabouts {
         }
     }
 
-    /** Compares a body, if it was not compared in this step yet. */
+    /** Compares a body, unless it was already compared in this step. */
     void compare(Bodies bodies, int slot) {
         if (lookedIn[slot] != step) {
             lookedIn[slot] = step;
@@ -53,8 +53,8 @@ final class Whereabouts {
     }
 
     /**
-     * Whether a body that was compared in this step is where it was when it was compared before;
-     * for a body of a pair that was active in the step before, that was then.
+     * Whether a body compared in this step has the pose of its previous comparison; for a body of a
+     * pair that was active in the step before, that was in that step.
      */
     boolean hasStayed(int slot) {
         return stayed[slot];

@@ -13,7 +13,7 @@ import rigibo.backend.team.Team;
 /** Solves islands one after the other: the solvers of one worker. */
 final class IslandWorker {
 
-    /** What this worker sees of the pool, with lists of its own if islands are shared. */
+    /** The pool's data for this worker, with lists of its own if islands are shared. */
     final DataStorage data;
 
     private final Islands islands;

@@ -192,7 +192,7 @@ public final class Rounds {
 
     /**
      * Whether every loaded contact persists and no other one closes: no point of theirs parts or
-     * closes faster than so many m/s. Then the same rows are loaded again in the next substep,
+     * closes faster than {@code most} m/s. Then the same rows are loaded again in the next substep,
      * however fast bodies roll and slide.
      */
     private boolean areContactsSteady(double most) {

@@ -14,12 +14,12 @@ import rigibo.backend.team.Team;
 
 /**
  * Shares the islands of a step among the workers of a team. Islands have no moving body in common,
- * and a solver keeps nothing from one island to the next, so that who solves an island changes no
- * bit. An island that is most of the work is solved first, by all workers together. Two things are
- * in the way: islands on one driven body are solved by one worker, since {@link
- * rigibo.backend.contact.row.CarriedFrame} stops their carrier while it solves them; and what
- * several islands add to, the lists of impacts, of broken joints and of bodies put to rest, is
- * written by each worker for itself and put together in the order of islands.
+ * and a solver keeps nothing from one island to the next, so that no bit depends on which worker
+ * solves an island. An island that is most of the work is solved first, by all workers together.
+ * Two cases need care. Islands on one driven body are solved by one worker, since {@link
+ * rigibo.backend.contact.row.CarriedFrame} stops their carrier while it solves them. And the lists
+ * to which several islands add, of impacts, broken joints and bodies put to rest, are written by
+ * each worker for itself and joined in the order of islands.
  */
 final class SharedIslands implements Team.Pieces {
 
@@ -40,7 +40,9 @@ final class SharedIslands implements Team.Pieces {
     private final Islands islands;
     private final Team team;
 
-    /** Those that solve islands side by side, and last the one whose islands all work at. */
+    /**
+     * The workers that solve islands side by side; the last one solves the island that all share.
+     */
     private final IslandWorker[] workers;
 
     private final SharedNotes notes;

@@ -4,9 +4,9 @@ import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * What workers note of the islands that they solve: impacts, broken joints and bodies put to rest.
- * Each worker has lists of its own; gathered in the order of islands they are what one worker would
- * have noted.
+ * The workers' records of the islands that they solve: impacts, broken joints and bodies put to
+ * rest. Each worker has lists of its own; joined in the order of islands, they equal the lists of a
+ * single worker.
  */
 final class SharedNotes {
 

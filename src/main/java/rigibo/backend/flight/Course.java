@@ -111,7 +111,7 @@ public final class Course {
 
     /**
      * Writes the acceleration of the path. By x₁ = x₀ + v₀·E₁ + a·E₂, a deviation d of the end
-     * place takes the acceleration d/E₂, added to the one that keeps to the reference.
+     * place needs the acceleration d/E₂, added to the one of the reference path.
      */
     private void write(int slot, double length) {
         double e1 = deviation.velocityShare(length);

@@ -135,9 +135,9 @@ final class Deviation {
     }
 
     /**
-     * Number of substeps of length h that keeps k·h below 1, with k the relative change of the
-     * force per second that drag causes. A second evaluation shortly after the start measures k:
-     * while a strong drag balances another force, nothing else shows it. The forces at the start
+     * Number of substeps of length h that keeps k·h below 1, where k is the relative change of the
+     * force per second by drag. A second evaluation shortly after the start measures k, since
+     * nothing else shows a strong drag that balances another force. The forces at the start must
      * have been evaluated.
      */
     private int substepsByDrag(double length) {

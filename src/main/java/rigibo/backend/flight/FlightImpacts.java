@@ -247,8 +247,8 @@ final class FlightImpacts {
     }
 
     /**
-     * Predicts that a body which hit a pile rebounds as from a wall. Since a pile yields, the body
-     * really goes no faster, so that it meets followers no later than predicted.
+     * Predicts that a body which hit a pile rebounds as from a wall. A pile yields, so the body is
+     * no faster in fact and meets followers no later than predicted.
      */
     void expectRebound(int pair, int lander) {
         if (!touches(pair)) {

@@ -11,18 +11,18 @@ import java.util.Arrays;
 
 /**
  * Flyers behind a body of a pile that others may hold up or lead off. Flight predicts that a body
- * of a pile goes on as it went. But a column of bodies that falls on the ground is stopped within
- * the step, each body by the one ahead of it, and a flyer that misses the last one by a hair, since
- * that moves on, would go into it.
+ * of a pile keeps its velocity. But a column of bodies that falls on the ground is stopped within
+ * the step, each body by the one ahead of it. A flyer that is predicted to miss the last one by a
+ * hair would then go into it.
  *
- * <p>As the step begins, what may lead a body off is handed on from contact to contact ({@link
- * Ways}). A flyer that such a body would get into joins its pile, and other bodies of piles within
- * its reach get a contact with it. A flyer also joins where joints may lead a body into it ({@link
- * Sway}).
+ * <p>As the step begins, ways that bodies may be led off are handed on from contact to contact
+ * ({@link Ways}). A flyer that such a body would get into joins its pile, and other bodies of piles
+ * within its reach get a contact with it. A flyer also joins where joints may lead a body into it
+ * ({@link Sway}).
  */
 final class Followers {
 
-    /** Depth from which on a flyer joins, as a share of what bystanders may leave their path by. */
+    /** Depth from which on a flyer joins, as a share of the bystanders' allowance. */
     private static final double SHARE = 0.25;
 
     /**

@@ -8,9 +8,9 @@ import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
 
 /**
- * Gives the expected impact of one pair of parts the outermost points of all parts of its two
- * bodies that meet along the same line. A box of three strips that lands flat would else be
- * expected to turn about the strip that is found first.
+ * Adds to the expected impact of one pair of parts the outermost points of all parts of the two
+ * bodies that meet along the same line. Without them, a box of three strips that lands flat would
+ * be expected to turn about the strip that is found first.
  */
 final class ImpactOfParts {
 
@@ -57,7 +57,7 @@ final class ImpactOfParts {
         }
     }
 
-    /** Looks at the points of another pair as ones of a line with those of a pair. */
+    /** Considers the points of another pair if they lie on one line with those of a pair. */
     private void take(int pair, int other, double nearest) {
         double nx = pairs.normalX[pair];
         double ny = pairs.normalY[pair];

@@ -121,7 +121,7 @@ final class ImpactQueue {
         return a != otherA ? a < otherA : b != otherB ? b < otherB : isOfFormerParts(pair, other);
     }
 
-    /** Of two pairs of the same bodies, whether the first is of parts with lower indices. */
+    /** Whether the first of two pairs of the same bodies has parts with lower indices. */
     private boolean isOfFormerParts(int pair, int other) {
         int a = pairs.shapeA(pair);
         int otherA = pairs.shapeA(other);

@@ -7,13 +7,14 @@ import rigibo.backend.storage.JointStore;
 import java.util.Arrays;
 
 /**
- * How far joints may lead bodies off their straight paths within a step. A plank of a bridge that
- * vibrates may go up although its velocity points down, into what flies just above it. Nobody knows
- * beforehand how far: at most twice as far as joints led it, or a body near it, in the last step.
+ * How far joints may lead bodies off their straight paths within a step. A plank of a vibrating
+ * bridge may go up although its velocity points down, into a flyer just above it. The distance
+ * cannot be known beforehand; the bound is twice the distance by which joints led the body, or one
+ * near it, in the last step.
  */
 final class Sway {
 
-    /** Farthest way in a step, as a multiple of that in the last one. */
+    /** Bound on the way in a step, as a multiple of that in the last one. */
     private static final double FARTHEST = 2;
 
     /** Number of joints from a body to those that count as near it. */
@@ -39,7 +40,7 @@ final class Sway {
     /** By body: greatest speed against a body that it is joined to, or of a body near it, m/s. */
     private double[] speed = new double[16];
 
-    /** The one or the other without the bodies one joint farther away. */
+    /** Scratch: either quantity without the bodies one joint farther away. */
     private double[] nearer = new double[16];
 
     Sway(DataStorage data) {
@@ -102,7 +103,7 @@ final class Sway {
         }
     }
 
-    /** Adds what a joint's reaction in the last step does to one of its bodies. */
+    /** Adds the acceleration of a body by a joint's reaction in the last step. */
     private void push(int joint, int slot, double anchorX, double anchorY, double sign) {
         double forceX = sign * joints.reactionX[joint];
         double forceY = sign * joints.reactionY[joint];

@@ -20,8 +20,10 @@ public final class TiedImpacts {
     /** Number of passes after which the impacts count as having no solution. */
     private static final int MOST_PASSES = 300;
 
-    /** A change of speed that is round-off, as a share of the fastest approach. */
-    private static final double ROUND_OFF = 1e-14;
+    /**
+     * Change of speed up to which a pass counts as the last, as a share of the fastest approach.
+     */
+    private static final double SETTLED = 1e-14;
 
     /**
      * Greatest speed that impacts without a solution may leave, as a multiple of the fastest row's.
@@ -123,7 +125,7 @@ public final class TiedImpacts {
      * multiplications.
      */
     public boolean solve(double worth) {
-        double settled = ROUND_OFF * fastest;
+        double settled = SETTLED * fastest;
         double last = Double.POSITIVE_INFINITY;
         work = 0;
         for (int pass = 1; pass <= MOST_PASSES && work <= worth; pass++) {

@@ -8,14 +8,13 @@ import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.PointerButton;
-import rigibo.frontend.scene.Scene;
-import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
+import rigibo.frontend.scene.widget.TiledScene;
 import rigibo.frontend.scene.widget.Tiles;
 
 import java.util.ArrayList;
@@ -28,7 +27,7 @@ import java.util.stream.Collectors;
 /**
  * The page of keys for levels and demos: the player chooses an action, then presses its new key.
  */
-public final class KeysScene implements Scene {
+public final class KeysScene implements TiledScene {
 
     /** Width of the cap on which a key is printed, px. */
     private static final double CAP = 116;
@@ -174,11 +173,6 @@ public final class KeysScene implements Scene {
     }
 
     @Override
-    public Tap tap(double x, double y) {
-        return Tap.LIFTED;
-    }
-
-    @Override
     public void step() {}
 
     @Override
@@ -233,8 +227,8 @@ public final class KeysScene implements Scene {
     }
 
     @Override
-    public void pointerMoved(double x, double y) {
-        tiles.pointerMoved(x, y);
+    public Tiles tiles() {
+        return tiles;
     }
 
     @Override

@@ -5,15 +5,13 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Narrator;
-import rigibo.frontend.scene.PointerButton;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
-import rigibo.frontend.scene.Tap;
 import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
+import rigibo.frontend.scene.widget.TiledScene;
 import rigibo.frontend.scene.widget.Tiles;
 
 import java.util.ArrayList;
@@ -21,7 +19,7 @@ import java.util.List;
 import java.util.OptionalInt;
 
 /** The levels that the player made, as cards, a page of them at a time. */
-public final class OwnLevelsScene implements Scene {
+public final class OwnLevelsScene implements TiledScene {
 
     /** Cards of a page. */
     private static final int PAGE = 12;
@@ -149,18 +147,8 @@ public final class OwnLevelsScene implements Scene {
     }
 
     @Override
-    public void pointerMoved(double x, double y) {
-        tiles.pointerMoved(x, y);
-    }
-
-    @Override
-    public Tap tap(double x, double y) {
-        return Tap.LIFTED;
-    }
-
-    @Override
-    public void pointerPressed(PointerButton button, double x, double y) {
-        tiles.pointerPressed(button, x, y);
+    public Tiles tiles() {
+        return tiles;
     }
 
     @Override

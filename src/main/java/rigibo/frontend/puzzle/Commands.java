@@ -14,7 +14,7 @@ import rigibo.frontend.scene.Director;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** What the commands of a level do, whether a key or a button gives them. */
+/** Carries out the commands of a level, given by keys or buttons. */
 final class Commands {
 
     private final Director director;
@@ -48,12 +48,12 @@ final class Commands {
         return session.own().level();
     }
 
-    /** The level was solved, so that there may be a better run to show as a ghost. */
+    /** The level was solved, so a better run may exist to show as a ghost. */
     void solved() {
         ghost.solved();
     }
 
-    /** The commands that are there at times. */
+    /** The commands that are available at present, besides the permanent ones. */
     Set<Command> offered() {
         Set<Command> offered = EnumSet.noneOf(Command.class);
         if (ghost.isOffered()) {
@@ -107,7 +107,7 @@ final class Commands {
         }
     }
 
-    /** An experiment is the player's own, so what is shown uses the level's effects. */
+    /** An experiment belongs to the player's own game, so a show uses the level's effects. */
     private void effects() {
         if (session.isShowing()) {
             table.refuse(Refusal.Reason.SHOWING);

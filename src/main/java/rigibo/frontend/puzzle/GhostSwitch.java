@@ -7,17 +7,17 @@ import rigibo.frontend.scene.Director;
 
 import java.util.Optional;
 
-/** Shows the ghost of the player's best run or none, as chosen in this level or one before it. */
+/** Shows or hides the ghost of the player's best run, as chosen last in any level. */
 final class GhostSwitch {
 
     private final Director director;
     private final Session session;
     private final Tally tally;
 
-    /** Whether a run was kept, so that there is something to switch. */
+    /** Whether a run was kept, so that a ghost can be switched. */
     private boolean isOffered;
 
-    /** Whether a run was kept that may be better than the one that is shown. */
+    /** Whether a kept run may be better than the one that is shown. */
     private boolean isOutdated = true;
 
     GhostSwitch(Director director, Session session, Tally tally) {
@@ -28,7 +28,7 @@ final class GhostSwitch {
         begin();
     }
 
-    /** A try begins: the ghost is the best run that there is now. */
+    /** A try begins: the ghost becomes the best run kept so far. */
     void begin() {
         if (director.settings().hasGhost() && isOutdated) {
             session.ghost(tally.best().map(BestRun::new));
@@ -42,12 +42,12 @@ final class GhostSwitch {
         isOutdated = true;
     }
 
-    /** Whether there is a run to be shown, so that its key is offered. */
+    /** Whether there is a run to show, so that its key is offered. */
     boolean isOffered() {
         return isOffered;
     }
 
-    /** Shows it or not, from now on; returns whether there is a run to be shown. */
+    /** Switches the ghost; returns whether there is a run to show. */
     boolean toggle() {
         if (!isOffered) {
             return false;

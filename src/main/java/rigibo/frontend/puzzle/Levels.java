@@ -43,7 +43,7 @@ public final class Levels {
                 .toList();
     }
 
-    /** What leads to levels that are made by chance: that of the day, and the endless ones. */
+    /** Entries that lead to levels made by chance: the level of the day and the endless levels. */
     public static List<SceneEntry> made() {
         return List.of(
                 SceneEntry.of(

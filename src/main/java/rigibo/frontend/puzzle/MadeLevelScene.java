@@ -22,7 +22,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Shows a level that is made by chance: its picture as soon as it is there, and the results. */
+/** Shows a level that is made by chance: its picture as soon as it is made, and earlier results. */
 final class MadeLevelScene implements TiledScene {
 
     private static final double PICTURE_MARGIN = 16;
@@ -32,19 +32,20 @@ final class MadeLevelScene implements TiledScene {
 
     private static final int MOST_ROWS = 7;
 
-    /** Size of the heading, px, on a desk and in a hand. */
+    /** Size of the heading, px, in desktop and handheld windows. */
     private static final double TITLE = 28;
 
     private static final double TITLE_IN_HAND = 20;
 
-    /** Sizes of the heading over the results, and of those, px. */
+    /** Sizes of the heading over the results, and of the results, px. */
     private static final double HEADING = 20;
 
     private static final double RESULT = 18;
     private static final double RESULT_IN_HAND = 16;
 
     /**
-     * Where the first column of results is, and the last from the right, as shares of the plate.
+     * Positions of the first column of results, and of the last from the right, as shares of the
+     * plate.
      */
     private static final double INDENT = 0.17;
 
@@ -63,7 +64,7 @@ final class MadeLevelScene implements TiledScene {
         this(director, occasion, Making.begin(occasion.seeds()));
     }
 
-    /** Goes on with a level that is being made. */
+    /** Shows a level that is already being made. */
     MadeLevelScene(Director director, Occasion occasion, Making making) {
         this.director = director;
         words = director.words();
@@ -74,8 +75,8 @@ final class MadeLevelScene implements TiledScene {
     }
 
     /**
-     * Chooses the way back once nothing else is left. While the level is made Enter must not lead
-     * away: players who cannot wait press it to play.
+     * Chooses the way back if nothing else can be chosen. While the level is made Enter must not
+     * lead away, since impatient players press it to play.
      */
     static void chooseWayBack(Tiles tiles, Making making) {
         if (making.isHopeless() && tiles.chosen() == Tiles.NONE) {
@@ -83,7 +84,7 @@ final class MadeLevelScene implements TiledScene {
         }
     }
 
-    /** The tiles: the way back, then those for the level, the first of which plays it. */
+    /** Lays out the tiles: the way back, then those for the level, the first of which plays it. */
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
         laid.add(wayBack(director, places));
@@ -109,7 +110,7 @@ final class MadeLevelScene implements TiledScene {
         making.made().ifPresent(made -> director.show(play(director, occasion, made)));
     }
 
-    /** The scene in which a level is played that was made for an occasion. */
+    /** The scene that plays a level made for an occasion. */
     static Scene play(Director director, Occasion occasion, Making.Made made) {
         Occasion played = occasion.of(made);
         Level level = played.named(made.level(), director.words());
@@ -120,7 +121,7 @@ final class MadeLevelScene implements TiledScene {
         return new PuzzleScene(director, level, played.ledger(director, level), sequel);
     }
 
-    /** Goes on without solving this level. */
+    /** Goes on to another level without solving this one. */
     private void other(Occasion next) {
         director.sounds().press();
         next.reached(director);

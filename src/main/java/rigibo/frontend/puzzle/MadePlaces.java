@@ -6,15 +6,16 @@ import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Plate;
 
 /**
- * Where the parts of the scene of a level that is made by chance are, logical px.
+ * Positions of the parts of the scene of a level made by chance, logical px.
  *
  * @param back the way back
  * @param title the middle of the heading
- * @param picture of the level, or what is said until it is there
- * @param play the row of what is done with the level
- * @param results of levels before; as high as they need where there is room
- * @param head from its edge to the middle of its heading, and from the last line to its other edge
- * @param row height of a line of them
+ * @param picture of the level, or of the note until it is made
+ * @param play the row of buttons for the level
+ * @param results of earlier levels; as high as they need where there is room
+ * @param head from the plate's edge to the middle of its heading, and from the last line to its
+ *     other edge
+ * @param row height of a line of results
  */
 record MadePlaces(
         Plate back,
@@ -32,16 +33,16 @@ record MadePlaces(
     private static final double HEAD = 28;
     private static final double ROW = 30;
 
-    /** Between the buttons of the row, px. */
+    /** Distance between the buttons of the row, px. */
     private static final double APART = 16;
 
     /** Height of the heading, px. */
     private static final double TITLE = 44;
 
-    /** The share of a lying window that the picture may take. */
+    /** Largest share of a landscape window for the picture. */
     private static final double PICTURE_SHARE = 0.5;
 
-    /** The scene as it is on a desk. */
+    /** The positions in a desktop window. */
     static final MadePlaces ON_A_DESK = onADesk();
 
     private static MadePlaces onADesk() {
@@ -58,7 +59,7 @@ record MadePlaces(
                 ROW);
     }
 
-    /** Where they are in a window. */
+    /** The positions in a window. */
     static MadePlaces of(Layout layout) {
         return layout.choose(ON_A_DESK, MadePlaces::upright, MadePlaces::lying);
     }
@@ -112,7 +113,8 @@ record MadePlaces(
     }
 
     /**
-     * A place in the row of what is done, of one or two: half of it, and one alone in the middle.
+     * Position of one of one or two buttons in the row: each takes half of it, a single one its
+     * middle.
      */
     Plate button(int index, int count) {
         Plate half = Grid.of(play, 2, APART).place(index);
@@ -120,7 +122,7 @@ record MadePlaces(
         return count == 1 ? new Plate(middle, half.y(), half.width(), half.height()) : half;
     }
 
-    /** How many lines of results there is room for, below their heading. */
+    /** Number of lines of results that fit below their heading. */
     int rows() {
         return (int) ((results.height() - 2 * head) / row);
     }

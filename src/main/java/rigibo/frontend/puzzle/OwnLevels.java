@@ -12,8 +12,8 @@ import java.util.Optional;
 /**
  * The levels that a player made, as scenes.
  *
- * @param entries those that can be played, in the order of their files; one leads to the next
- * @param broken number of files that have mistakes
+ * @param entries the levels that can be played, in the order of their files; each leads to the next
+ * @param broken number of files with errors
  */
 public record OwnLevels(List<SceneEntry> entries, int broken) {
 
@@ -29,7 +29,7 @@ public record OwnLevels(List<SceneEntry> entries, int broken) {
         return new OwnLevels(Levels.own(levels), files.size() - levels.size());
     }
 
-    /** Whether there is any. */
+    /** Whether a folder holds any. */
     public static boolean areIn(Path folder) {
         return !LevelShelf.own(folder).isEmpty();
     }

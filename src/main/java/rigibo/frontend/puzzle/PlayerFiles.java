@@ -23,7 +23,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** Files given by the player, or the code of one: levels to play, or a replay to watch. */
+/** Files or a code given by the player: levels to play, or a replay to watch. */
 public final class PlayerFiles {
 
     private final List<Level> levels = new ArrayList<>();
@@ -35,7 +35,7 @@ public final class PlayerFiles {
 
     /**
      * Reads files, folders and zip files. A replay may come with its level; of several replays one
-     * is watched.
+     * is shown.
      */
     public static PlayerFiles read(List<Path> given) {
         PlayerFiles read = new PlayerFiles();
@@ -114,7 +114,7 @@ public final class PlayerFiles {
     /**
      * The scene for the files.
      *
-     * @throws IllegalArgumentException with all that is wrong with them, a line each
+     * @throws IllegalArgumentException with all errors of the files, a line each
      */
     public Function<Director, Scene> sound() {
         if (!errors.isEmpty()) {
@@ -124,10 +124,10 @@ public final class PlayerFiles {
     }
 
     /**
-     * A film of the replay, or of how the first level can be solved.
+     * A film of the replay, or of a solution of the first level.
      *
-     * @throws IllegalArgumentException with all that is wrong with the files, or when the level has
-     *     no solution, or has to be made first
+     * @throws IllegalArgumentException with all errors of the files, or if the level has no
+     *     solution or has to be made first
      */
     public Function<Director, Scene> film() {
         sound();

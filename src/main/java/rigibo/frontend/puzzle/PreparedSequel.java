@@ -23,7 +23,7 @@ final class PreparedSequel implements Sequel {
         making = Making.begin(next.seeds());
     }
 
-    /** The level, or what shows that it is still being made. */
+    /** The level, or the scene that shows it being made. */
     @Override
     public Optional<Supplier<Scene>> next() {
         return Optional.of(this::scene);

@@ -7,17 +7,20 @@ import rigibo.frontend.scene.Words;
 /** Problems of levels in the player's language. */
 public final class ProblemWords {
 
-    /** Before the key of a word of the bundles. */
+    /** Prefix of a key of the bundles. */
     private static final String KEY = "@";
 
     private ProblemWords() {}
 
-    /** What is wrong, in a few words. */
+    /** Names the problem in a few words. */
     public static String title(Words words, Problem problem) {
         return words.of("editor.problem." + problem.fault().kind().replaceFirst("\\..*", ""));
     }
 
-    /** What is wrong and what helps, in a sentence; of a fault without one, why in general. */
+    /**
+     * States the problem and its remedy in a sentence; for a fault without a sentence of its own,
+     * the general reason.
+     */
     public static String told(Words words, Problem problem) {
         Fault fault = problem.fault();
         if (fault.kind().isEmpty()) {

@@ -12,8 +12,8 @@ import rigibo.frontend.scene.widget.Lines;
 import java.util.List;
 
 /**
- * The problems of a file that could not be opened: what is wrong, and under it its place in the
- * file, for whoever made it.
+ * Shows the problems of a file that could not be opened, each with its place in the file for the
+ * author.
  */
 final class ProblemsScene implements Scene {
 

@@ -36,14 +36,14 @@ import java.util.Set;
 /** A level in play: passes the player's input to the play and to the panels around it. */
 public final class PuzzleScene implements Scene {
 
-    /** Its name in links. */
+    /** Name of the parameter in links. */
     private static final String PACE = "pace";
 
     private final Director director;
     private final Level level;
     private final Sequel sequel;
 
-    /** Whether it is the game's first level, which shows itself in all its states. */
+    /** Whether it is the game's first level, whose demonstration shows all of its states. */
     private final boolean isFirst;
 
     private final Session session;
@@ -56,7 +56,7 @@ public final class PuzzleScene implements Scene {
     private Optional<Solution> solution = Optional.empty();
     private boolean isShiftHeld;
 
-    /** One of several levels, which are played in their order. */
+    /** One of several levels, played in their order. */
     public PuzzleScene(Director director, List<Level> levels, int number) {
         this(
                 director,
@@ -67,7 +67,7 @@ public final class PuzzleScene implements Scene {
                 number == 0 && levels.size() > 1);
     }
 
-    /** A level in the making, which is tried out and leads back to the editor. */
+    /** A draft that is tried out; every way leads back to the editor. */
     public static PuzzleScene ofTrial(Director director, Level level) {
         return new PuzzleScene(
                 director,
@@ -78,7 +78,7 @@ public final class PuzzleScene implements Scene {
                 false);
     }
 
-    /** A level that was made, with its own ledger, and what comes after it; it teaches nothing. */
+    /** A level made by chance, with a ledger and a sequel of its own and without a lesson. */
     PuzzleScene(Director director, Level level, Ledger ledger, Sequel sequel) {
         this(director, level, new Tally(director, level, ledger), sequel, Lesson.none(), false);
     }
@@ -112,7 +112,7 @@ public final class PuzzleScene implements Scene {
         return "RigiBo – " + level.title().in(director.words().locale());
     }
 
-    /** Levels have one accuracy, which their solutions are proved at; links carry how fast. */
+    /** Links carry the pace but no accuracy, since solutions are proved at one accuracy. */
     @Override
     public Link link() {
         if (!Levels.isOfTheGame(level)) {
@@ -155,7 +155,7 @@ public final class PuzzleScene implements Scene {
         lesson.turn();
     }
 
-    /** Sees the game before a click, so that the click is counted even in a try's first turn. */
+    /** Records the game before a click, so that a click in the first turn of a try is counted. */
     private void count() {
         if (session.own().outcome() == Outcome.RUNNING) {
             tally.observe(session.own());
@@ -165,7 +165,7 @@ public final class PuzzleScene implements Scene {
     private void ended(PuzzleGame game) {
         tally.ended(game);
         table.letGo();
-        // How it ended is seen in the whole of it.
+        // The end is shown in the whole picture.
         view.showAll();
         panels.end(game, sequel.next().isPresent(), tally.hasStar());
         if (game.isSolved()) {
@@ -284,16 +284,13 @@ public final class PuzzleScene implements Scene {
         }
     }
 
-    /** Selects what can be clicked, and no button. */
+    /** Selects the next target, and no button. */
     private void cycle(int direction) {
         panels.letGo();
         table.cycle(direction);
     }
 
-    /**
-     * Lets left and right select a button if there are any; otherwise arrows select what can be
-     * clicked.
-     */
+    /** Left and right select a button if there are any; otherwise arrows select a target. */
     private void arrow(Key key) {
         boolean isAcross = key == Key.LEFT || key == Key.RIGHT;
         if (panels.hasButtons() && (isAcross || panels.isOver())) {
@@ -305,7 +302,7 @@ public final class PuzzleScene implements Scene {
         }
     }
 
-    /** Clicks what is selected, or presses the selected button. */
+    /** Clicks the selected target, or presses the selected button. */
     private void enter() {
         count();
         if (!table.clickChosen()) {

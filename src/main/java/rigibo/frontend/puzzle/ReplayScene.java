@@ -26,7 +26,7 @@ import rigibo.frontend.scene.widget.WholePlate;
 import java.util.List;
 import java.util.Optional;
 
-/** Shows a recorded run, and at its end whether it was the same to the last bit. */
+/** Shows a recorded run, and at its end whether every state was the same to the last bit. */
 final class ReplayScene implements Scene {
 
     private final Director director;
@@ -196,7 +196,7 @@ final class ReplayScene implements Scene {
         return Optional.of(new Performance());
     }
 
-    /** Plays by itself until there is a verdict, and succeeds if the verdict is good. */
+    /** Plays without input until there is a verdict; succeeds if the verdict is good. */
     private final class Performance implements Demonstration {
 
         @Override

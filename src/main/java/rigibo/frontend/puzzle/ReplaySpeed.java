@@ -39,7 +39,7 @@ enum ReplaySpeed {
         return values()[Math.max(ordinal() - 1, 0)];
     }
 
-    /** The next one, after the fastest the slowest. */
+    /** The next speed; after the fastest comes the slowest. */
     ReplaySpeed next() {
         return values()[(ordinal() + 1) % values().length];
     }

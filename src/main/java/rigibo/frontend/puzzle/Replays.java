@@ -31,15 +31,15 @@ public final class Replays {
     /**
      * Replays of the level in a file.
      *
-     * @throws IllegalArgumentException with all that is wrong with the level, a line each
+     * @throws IllegalArgumentException with all errors of the level, a line each
      */
     public static Replays of(Path level) {
         return new Replays(List.of(Levels.level(level)));
     }
 
     /**
-     * Shows the player's best run of a level, or a message about runs that cannot be played any
-     * more; empty if none was kept.
+     * Shows the player's best run of a level, or a message about runs that can no longer be played;
+     * empty if none was kept.
      */
     static Optional<Scene> best(Director director, Level level) {
         return director.replays()

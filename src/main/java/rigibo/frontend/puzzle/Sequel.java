@@ -9,18 +9,18 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/** What a player may go on to after a level. */
+/** The player's next level after this one. */
 interface Sequel {
 
-    /** Makes the scene to go on to; empty after the last level. */
+    /** Makes the next scene; empty after the last level. */
     Optional<Supplier<Scene>> next();
 
-    /** The commands that leave the level, the nearest place first and the farthest last. */
+    /** The commands that leave the level, in order of increasing distance. */
     default List<Command> exits() {
         return List.of(Command.LEVELS, Command.MENU);
     }
 
-    /** The level's window is gone: what was being prepared is not needed any more. */
+    /** The level's window was closed: drops a level in preparation. */
     default void close() {}
 
     /** The level after one of several; nothing after the last. */
@@ -37,7 +37,7 @@ interface Sequel {
         return Optional::empty;
     }
 
-    /** A level that is tried out in the editor, to which every way leads back. */
+    /** The sequel of a draft that is tried out: every way leads back to the editor. */
     static Sequel backToTheEditor() {
         return new Sequel() {
             @Override

@@ -12,7 +12,7 @@ import rigibo.frontend.scene.widget.Print;
 
 import java.util.List;
 
-/** All levels of a world on one page, as the tour keeps it: to see which ones look alike. */
+/** All levels of a world on one page, for the tour: shows which ones look alike. */
 final class SheetScene implements Scene {
 
     private static final int COLUMNS = 3;

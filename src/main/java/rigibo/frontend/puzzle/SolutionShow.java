@@ -10,9 +10,7 @@ import rigibo.frontend.scene.Demonstration;
 
 import java.util.Optional;
 
-/**
- * Plays a stored solution with the pointer: each click in the middle of its target, at its step.
- */
+/** Plays a stored solution by pointer: each click hits the middle of its target at its step. */
 final class SolutionShow implements Demonstration {
 
     private final Session session;

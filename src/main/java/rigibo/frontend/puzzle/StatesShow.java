@@ -24,13 +24,13 @@ final class StatesShow implements Demonstration {
     private static final int PAUSED = 80;
     private static final int RESUME = 90;
 
-    /** Turns from the end of the lost try to its picture, and on to the next try. */
+    /** Turns from the end of the lost try to its picture, and from there to the next try. */
     private static final int LOST_SEEN = 40;
 
     /** Turns from the victory to its picture; by then every medal is stamped. */
     private static final int WON_SEEN = 57;
 
-    /** Rest of the cooldown in its picture. */
+    /** Rest of the cooldown in the picture of a cooldown. */
     private static final double COOLING = 0.6;
 
     private static final double HELD = 0.5;

@@ -7,16 +7,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Measures what declared and undeclared effects cost and writes figures, a table and a page. */
+/** Measures what declared and undeclared effects cost and writes a table and a page. */
 public final class EffectsReport {
 
     private EffectsReport() {}
 
     /**
-     * Makes the runs that are missing and writes {@code effects.csv} and {@code effects.svg} into
-     * the question's directory, and the page.
+     * Makes the runs that are missing, and writes {@code effects.csv} and the page {@code
+     * effects.md} into the question's directory.
      *
-     * @param page where it is written, if it is
+     * @param page where the page is written as well
      * @param tell is told how far the runs are
      * @return the main sentences of what was found, a line each
      * @throws IllegalStateException when a run breaks off or a listed class does not exist
@@ -29,11 +29,10 @@ public final class EffectsReport {
         lab.run(tell);
         Findings findings = lab.findings();
         Files.write(question.out().resolve("effects.csv"), FindingsCsv.lines(findings));
-        Files.writeString(
-                question.out().resolve("effects.svg"), new EffectsFigure(findings).text());
+        String text = new Page(findings, provenance, lab.method()).text();
+        Files.writeString(question.out().resolve("effects.md"), text);
         if (page.isPresent()) {
-            Page words = new Page(findings, provenance, lab.method());
-            Files.writeString(page.get(), words.text());
+            Files.writeString(page.get(), text);
         }
         return Sentences.of(findings);
     }

@@ -13,7 +13,7 @@ import rigibo.backend.storage.Found;
 import java.util.Arrays;
 import java.util.Random;
 
-/** What the grid finds, compared with looking at every box. */
+/** Results of the grid, compared with a search of all boxes. */
 class FixtureGridTest {
 
     private static final int BOXES = 500;
@@ -24,7 +24,9 @@ class FixtureGridTest {
     /** Boxes by number; null where the grid does not hold it. */
     private final double[][] boxes = new double[BOXES][];
 
-    /** Round the origin and far out, where doubles are 2 nm apart; of like and of unlike sizes. */
+    /**
+     * Near the origin and far out, where doubles are 2 nm apart, with equal and with unequal sizes.
+     */
     @ParameterizedTest
     @CsvSource({"1, 0, 2", "2, 0, 1e6", "3, 1e7, 2", "4, -1e7, 1e6", "5, 1e15, 10"})
     void findsWhatBruteForceFinds(long seed, double middle, double largest) {
@@ -49,7 +51,9 @@ class FixtureGridTest {
                 .isEqualTo((int) Arrays.stream(boxes).filter(b -> b != null).count());
     }
 
-    /** Sizes from the largest down to its inverse, each power of ten as often as any other. */
+    /**
+     * A box with a size from the largest down to its inverse; each power of ten is equally likely.
+     */
     private static double[] anyBox(Random random, double middle, double largest) {
         double x = middle + 200 * (random.nextDouble() - 0.5);
         double y = 200 * (random.nextDouble() - 0.5);
@@ -109,8 +113,9 @@ class FixtureGridTest {
     }
 
     /**
-     * Ten thousand boxes of like size, one for each 6.25 m²: those looked at begin within a cell (4
-     * m), the box itself and the widest (2.7 m) along each axis: at most 9.4² / 6.25 on average.
+     * Ten thousand boxes of similar size, one for each 6.25 m². Those examined begin within a cell
+     * (4 m), the box itself and the widest one (2.7 m) along each axis: at most 9.4² / 6.25 on
+     * average.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 1e7})
@@ -132,8 +137,9 @@ class FixtureGridTest {
     }
 
     /**
-     * Boxes of twenty sizes, each twice as large as the one before and as dense for its size: a
-     * query of the smallest looks into a few cells of each, not at all that is in the large ones.
+     * Boxes of twenty sizes, each twice as large as the one before, with as many of each per its
+     * own area. A query of the smallest examines a few cells of each size, not all boxes in the
+     * large cells.
      */
     @Test
     void looksAtFewOfManySizes() {
@@ -153,7 +159,7 @@ class FixtureGridTest {
             double y = 10 * random.nextDouble();
             grid.query(x, y, x + 0.75, y + 0.75, found);
         }
-        // 56 in the cells themselves, and in the 82 entries of the table one each of other cells.
+        // 56 in the cells themselves, and one each of other cells in the 82 entries of the table.
         assertThat(grid.looked() / 1000.0).isLessThan(1.5 * (56 + 82));
     }
 

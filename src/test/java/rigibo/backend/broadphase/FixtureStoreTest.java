@@ -23,7 +23,7 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.function.IntPredicate;
 
-/** What is found wherever fixtures are kept, compared with all fixtures, while bodies move. */
+/** Results of the fixture store while bodies move, compared with a search of all fixtures. */
 class FixtureStoreTest {
 
     private static final double DT = 1.0 / 60;
@@ -38,9 +38,9 @@ class FixtureStoreTest {
     private final Bodies bodies = world.bodies;
 
     /**
-     * Bodies of sizes up to a ratio, at speeds up to 1,000 m/s, over a floor, here and far out.
-     * After each step the fixtures that meet one, a box and a ray are those that brute force finds,
-     * and movable ones that met when pairs were last sought are a pair.
+     * Bodies of sizes up to a ratio, at speeds up to 1,000 m/s, over a floor, near the origin and
+     * far out. After each step a search of all fixtures finds the same ones for a fixture, a box
+     * and a ray, and movable ones that overlapped in the last search for pairs are a pair.
      */
     @ParameterizedTest
     @CsvSource({"1, 0, 2, 30", "2, 0, 300, 5", "3, 1e7, 10, 30", "4, 0, 2, 1000"})
@@ -120,7 +120,9 @@ class FixtureStoreTest {
         return Arrays.copyOf(found.numbers, found.count);
     }
 
-    /** Discs fly apart and meet: after each search for pairs, all fixtures that meet are pairs. */
+    /**
+     * Discs fly apart and meet: after each search for pairs, all overlapping fixtures are pairs.
+     */
     @Test
     void fixturesThatMeetArePairs() {
         Random random = new Random(11);
@@ -152,9 +154,7 @@ class FixtureStoreTest {
         return world.pairs.index.find(one, other) != PairIndex.ABSENT;
     }
 
-    /**
-     * A thousand in flight are in the grid; once they lie asleep they are in the tree, for good.
-     */
+    /** A thousand flyers are in the grid; once asleep they are in the tree and stay there. */
     @Test
     void whatSleepsLeavesTheGrid() {
         world.add(BodyDefinition.fixed(Polygon.box(4000, 2)).at(0, -1));
@@ -172,7 +172,7 @@ class FixtureStoreTest {
         assertThat(world.broadphase().store().inGrid()).isZero();
     }
 
-    /** Where bodies are in flight, a step looks at few boxes for each fixture that it replaces. */
+    /** While bodies fly, a step examines few boxes for each fixture that it replaces. */
     @Test
     void aCrowdInFlightLooksAtFewBoxes() {
         for (int i = 0; i < 2500; i++) {
@@ -184,8 +184,8 @@ class FixtureStoreTest {
         for (int step = 0; step < 60; step++) {
             world.step(DT);
         }
-        // Cells of 4 m, fixtures up to 1.42 + 0.21 + 0.71 + 0.5 m: (2 · 2.84 + 4)² / 6.25 = 15
-        // for each, were all replaced in each step; they are in every second one.
+        // Cells of 4 m, fixtures up to 1.42 + 0.21 + 0.71 + 0.5 m: (2 · 2.84 + 4)² / 6.25 = 15 for
+        // each, if each were replaced in each step; they are in every second one.
         assertThat(world.broadphase().store().looked()).isLessThan(60L * 2500 * 15);
     }
 }

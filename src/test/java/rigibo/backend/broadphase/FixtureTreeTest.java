@@ -13,7 +13,7 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.function.Predicate;
 
-/** What the tree finds, compared with looking at every box. */
+/** Results of the tree, compared with a search of all boxes. */
 class FixtureTreeTest {
 
     private static final int BOXES = 600;
@@ -22,7 +22,7 @@ class FixtureTreeTest {
     private final FixtureSearch search = new FixtureSearch(tree);
     private final Found found = new Found();
 
-    /** Boxes by number; null where removed. The leaves stand beside. */
+    /** Boxes by number; null where removed. Their leaves are in a list of their own. */
     private final double[][] boxes = new double[BOXES][];
 
     private final int[] leaves = new int[BOXES];
@@ -55,10 +55,10 @@ class FixtureTreeTest {
     }
 
     /**
-     * A row on a floor and between walls that span all of it, in any order, and as it moves along:
-     * no leaf is deeper than four times log₂ of their number, where a chain would be half as deep
-     * as there are boxes. With the floor and the walls nothing seems to be added, so that who
-     * follows the cheaper side alone hangs each box there.
+     * A row on a floor and between walls that span all of it, in any order, and as it moves along.
+     * No leaf is deeper than four times log₂ of their number; a chain would be half as deep as
+     * there are boxes. Beside the floor and the walls a box adds no perimeter, so following the
+     * cheaper side alone makes a chain.
      */
     @ParameterizedTest
     @ValueSource(strings = {"left to right", "right to left", "at random"})
@@ -87,7 +87,7 @@ class FixtureTreeTest {
         assertThat(deepest(tree.root())).isLessThanOrEqualTo(4 * 12);
     }
 
-    /** Sum of half the perimeters of all branches, to which the cost of a query is proportional. */
+    /** Sum of half the perimeters of all branches; the cost of a query is proportional to it. */
     private static double perimeter(FixtureTree of, int node) {
         if (of.isLeaf(node)) {
             return 0;
@@ -103,7 +103,10 @@ class FixtureTreeTest {
                 : 1 + Math.max(deepest(tree.first(node)), deepest(tree.second(node)));
     }
 
-    /** Each of a row of unit boxes grows by one to the right, and is met there and where it was. */
+    /**
+     * Each of a row of unit boxes grows by one to the right, and is found at its old and new
+     * places.
+     */
     @Test
     void whatGrewIsFoundInAllOfItsBox() {
         int[] leaf = new int[100];
@@ -134,7 +137,7 @@ class FixtureTreeTest {
         assertThat(numbers()).hasSize(100).doesNotHaveDuplicates();
     }
 
-    /** A line beside the corner of a box lies within the box's bounds, but does not cross it. */
+    /** A line past the corner of a box lies within the box's bounds, but does not cross it. */
     @Test
     void lineThatPassesACornerDoesNotCross() {
         tree.insert(1, 0, 0, 1, 1);
@@ -184,7 +187,7 @@ class FixtureTreeTest {
         }
     }
 
-    /** Most are small, some are as wide as a floor. */
+    /** Most boxes are small, some are as wide as a floor. */
     private static double[] anyBox(Random random) {
         double x = random.nextDouble() * 100;
         double y = random.nextDouble() * 100;
@@ -209,7 +212,7 @@ class FixtureTreeTest {
         return numbersOf(b -> b[0] <= q[2] && q[0] <= b[2] && b[1] <= q[3] && q[1] <= b[3]);
     }
 
-    /** The stretch falls from the upper left to the lower right corner: clipped slab by slab. */
+    /** The segment falls from the upper left to the lower right corner, clipped slab by slab. */
     private int[] crossing(double[] q) {
         double dx = q[2] - q[0];
         double dy = q[1] - q[3];
@@ -232,7 +235,7 @@ class FixtureTreeTest {
         return Arrays.copyOf(all, count);
     }
 
-    /** Adds all that share a point with a box to what is found. */
+    /** Adds all fixtures that share a point with a box to the result. */
     private void query(double minX, double minY, double maxX, double maxY) {
         Found there = search.query(minX, minY, maxX, maxY);
         for (int i = 0; i < there.count; i++) {
@@ -240,7 +243,7 @@ class FixtureTreeTest {
         }
     }
 
-    /** Adds all that a ray meets to what is found. */
+    /** Adds all fixtures that a ray meets to the result. */
     private void walk(double fromX, double fromY, double toX, double toY) {
         RayWalk walk = new RayWalk(tree);
         walk.begin(fromX, fromY, toX, toY);
@@ -249,7 +252,7 @@ class FixtureTreeTest {
         }
     }
 
-    /** The numbers found, ascending; empties the list. */
+    /** Returns the numbers found, ascending, and empties the list. */
     private int[] numbers() {
         found.sort();
         int[] numbers = Arrays.copyOf(found.numbers, found.count);
@@ -258,8 +261,9 @@ class FixtureTreeTest {
     }
 
     /**
-     * Boxes drift and mix for 300 steps. What queries cost goes with the perimeter of the branches;
-     * a tree that kept its first shape would have many times that of one built for the end.
+     * Boxes drift and mix for 300 steps. The cost of queries grows with the perimeter of the
+     * branches; a tree that kept its first shape would have many times that of one built at the
+     * end.
      */
     @Test
     void theTreeDoesNotDecayWhileBoxesMix() {
@@ -284,7 +288,7 @@ class FixtureTreeTest {
         assertThat(perimeter(tree, tree.root())).isLessThan(1.25 * perimeter(fresh, fresh.root()));
     }
 
-    /** Moves a box within a square of 100 m, mirrored at its sides. */
+    /** Moves a box within a square of 100 m and reflects it at the sides. */
     private static void drift(double[] box, double[] way) {
         for (int axis = 0; axis < 2; axis++) {
             if (box[axis] + way[axis] < 0 || box[axis] + way[axis] > 100) {

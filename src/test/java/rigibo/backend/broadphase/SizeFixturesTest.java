@@ -13,7 +13,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.Bodies;
 
-/** How large the fixture of a single body is. */
+/** The size of the fixture of a single body. */
 class SizeFixturesTest {
 
     /** Sums of a few numbers of the size of 10. */
@@ -52,7 +52,7 @@ class SizeFixturesTest {
         assertFixture(disc, 2.45, 3.45, 3.55, 4.55);
     }
 
-    /** The way in a step, the margin, and a radius of the steps ahead, which are more than that. */
+    /** The way in a step, the margin, and three steps ahead, limited to a radius. */
     @Test
     void fastBodyHasItsWayAndARadiusAhead() {
         int disc = disc(8, 0);
@@ -62,7 +62,7 @@ class SizeFixturesTest {
     }
 
     /**
-     * Up 1 m by its velocity; pulled down by 64·DT²/2 = 2 m it ends 1 m lower: both are covered.
+     * The velocity alone leads 1 m up; 64·DT²/2 = 2 m of fall end 1 m lower. Both ends are covered.
      */
     @Test
     void wayIsCoveredWithTheAccelerationAndWithout() {

@@ -13,8 +13,8 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.Pairs;
 
 /**
- * A body with two feet on a floor that each touch it with one point at first, and with two when
- * they are measured again. The floor's normal is up, so that points lie on the line by their x.
+ * A body with two feet on a floor. Each foot touches it with one point at first, and with two when
+ * they are measured again. The floor's normal points up, so that points lie on the line by their x.
  */
 class OuterPointsTest {
 
@@ -37,7 +37,7 @@ class OuterPointsTest {
         outer.giveBack(left);
     }
 
-    /** Points by twos of x and gap, m. */
+    /** Sets the points of a pair, each by x and gap, m. */
     private void put(int pair, double... points) {
         pairs.points[pair] = points.length / 2;
         pairs.normalX[pair] = 0;
@@ -51,8 +51,8 @@ class OuterPointsTest {
 
     /**
      * The gaps of the left foot at −0.6 and −0.5 m, and of the right one at 0.5 and 0.6 m. On a
-     * straight sole the outermost points count; a heel that is deeper than the line through the
-     * tips counts in place of the tip beside it.
+     * straight sole the outermost points count. A heel deeper than the line through the tips counts
+     * in place of the tip beside it.
      */
     @ParameterizedTest
     @CsvSource({

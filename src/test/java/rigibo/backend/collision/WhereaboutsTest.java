@@ -10,13 +10,13 @@ import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
 
-/** Who stayed is who was looked for before, and is there to the last bit. */
+/** A body has stayed if it was compared before and has the same pose to the last bit. */
 class WhereaboutsTest {
 
     private final FilledStorage scene = new FilledStorage(new Contacts(), new Rotation());
     private final Whereabouts whereabouts = new Whereabouts();
 
-    /** At the origin, where whatever is not written yet seems to be. */
+    /** A body at the origin, where columns that were not written yet also place it. */
     private final int body = scene.add(BodyDefinition.dynamic(new Circle(1)));
 
     @Test
@@ -36,7 +36,7 @@ class WhereaboutsTest {
         assertThat(hasStayed(body)).isFalse();
     }
 
-    /** More bodies than the first columns have room for. */
+    /** There are more bodies than the first capacity. */
     @Test
     void whoComesLaterHasNotStayedEither() {
         whereabouts.begin(scene.bodies);

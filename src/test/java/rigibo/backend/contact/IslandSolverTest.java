@@ -26,7 +26,7 @@ import rigibo.backend.storage.Bodies;
 
 import java.util.function.UnaryOperator;
 
-/** Islands that are written by hand into the columns: boxes of 1 m and 1 kg on a floor. */
+/** Islands written by hand into the columns: boxes of 1 m and 1 kg on a floor. */
 class IslandSolverTest {
 
     private static final double DT = 1.0 / 60;
@@ -68,7 +68,7 @@ class IslandSolverTest {
         return box(island, x, y, box -> box);
     }
 
-    /** B on A, both corners of B's lower side at a gap. */
+    /** Puts B on A, with both corners of B's lower side at a gap. */
     private static int stand(StoredIsland on, int a, int b, double gap) {
         int pair = on.contact(a, b, Math.PI / 2);
         double y = on.bodies.y[b] - 0.5;
@@ -86,7 +86,7 @@ class IslandSolverTest {
         solver(island, accuracy).solve(0, DT);
     }
 
-    /** The floor carries m·g, the middle of the stack the weight of what is above. */
+    /** The floor carries m·g, the middle of the stack the weight of the box above. */
     @ParameterizedTest
     @EnumSource(Way.class)
     void stackIsCarriedAndStaysInPlace(Way way) {
@@ -95,13 +95,13 @@ class IslandSolverTest {
         int onFloor = stand(island, floor, lower, 0);
         int between = stand(island, lower, upper, 0);
         IslandSolver solver = solver(island, way.accuracy);
-        // Passes find loads in a few steps, from nothing.
+        // Passes find loads in a few steps, starting from none.
         for (int step = 0; step < 20; step++) {
             island.pairs.impulse[onFloor] = 0;
             island.pairs.impulse[between] = 0;
             solver.solve(0, DT);
         }
-        // They may be off by a hundredth.
+        // Passes may err by a hundredth.
         assertThat(force(onFloor)).isCloseTo(2 * G, within(0.02 * G));
         assertThat(force(between)).isCloseTo(G, within(0.01 * G));
         assertThat(island.pairs.impulse[onFloor]).isCloseTo(2 * G * DT, within(0.02 * G * DT));
@@ -125,18 +125,18 @@ class IslandSolverTest {
     void slidingBoxIsBrakedByFriction(Way way) {
         int box = box(island, 0, 0.5, it -> it.velocity(2, 0));
         int pair = stand(island, floor, box, 0);
-        // Passes begin with the loads of the last step, shifted to the front by what brakes it.
+        // Passes begin with the loads of the last step, shifted to the front by the friction.
         island.pairs.normalForce[2 * pair] = G / 4;
         island.pairs.normalForce[2 * pair + 1] = 3 * G / 4;
         solve(way.accuracy);
         double v = 2 - 0.5 * G * DT;
-        // They may be off by a hundredth of what friction does.
+        // Passes may err by a hundredth of the change by friction.
         assertThat(bodies.velocityX[box]).isCloseTo(v, within(0.01 * 0.5 * G * DT));
         assertThat(bodies.x[box]).isCloseTo((2 + v) / 2 * DT, within(0.01 * G * DT * DT));
         assertThat(bodies.y[box]).isCloseTo(0.5, within(1e-4));
     }
 
-    /** What touches nothing yet falls: y − g·t²/2 by leapfrog to the bit of rounding. */
+    /** A box that touches nothing yet falls: y − g·t²/2 by leapfrog, to round-off. */
     @ParameterizedTest
     @EnumSource(Way.class)
     void boxFallsWhileItsGapIsOpen(Way way) {
@@ -151,7 +151,7 @@ class IslandSolverTest {
         assertThat(island.pairs.touching[pair]).isFalse();
     }
 
-    /** From 0.02 m at 3 m/s: it is there after 0.0065 s and goes back with e times its speed. */
+    /** From 0.02 m at 3 m/s the box arrives after 0.0065 s and leaves with e times its speed. */
     @ParameterizedTest
     @CsvSource({"WHOLE, 0.5", "WHOLE, 1", "BLOCK, 0.5", "BLOCK, 1", "SEQUENTIAL, 1"})
     void boxBouncesWithinTheStep(Way way, double elasticity) {
@@ -163,7 +163,8 @@ class IslandSolverTest {
         double hit = (-3 + Math.sqrt(9 + 2 * G * 0.02)) / G;
         double back = elasticity * (3 + G * hit);
         double left = DT - hit;
-        // Times within a substep of passes are off by g·h·h/8 in place and by g·h/2 in speed.
+        // Passes place times within a substep: errors are up to g·h·h/8 in place and g·h/2 in
+        // speed.
         double h = DT / 4;
         assertThat(bodies.velocityY[box]).isCloseTo(back - G * left, within(G * h));
         double y = 0.5 + back * left - G * left * left / 2;
@@ -172,7 +173,7 @@ class IslandSolverTest {
         assertThat(bodies.spin[box]).isCloseTo(0, within(1e-9));
     }
 
-    /** Who joins after 0.4 of the step begins there, where its columns have it. */
+    /** A body that joins after 0.4 of the step starts there, at the place of its columns. */
     @ParameterizedTest
     @ValueSource(doubles = {0.4, 0.75})
     void islandBeginsWithItsFirstBody(double share) {
@@ -186,7 +187,7 @@ class IslandSolverTest {
         assertThat(bodies.y[box]).isCloseTo(5.5 - 2 * left - G * left * left / 2, within(1e-13));
     }
 
-    /** On a carrier that moves evenly it rests as on the floor, and goes along. */
+    /** On a carrier in uniform motion the box rests as on the floor and moves along. */
     @Test
     void movingCarrierTakesItsLoadAlong() {
         int lift =
@@ -203,7 +204,7 @@ class IslandSolverTest {
         assertThat(force(pair)).isCloseTo(G, within(1e-6));
     }
 
-    /** A pile that moves, alone or as the last of three islands on one floor. */
+    /** A moving pile, alone or as the last of three islands on one floor. */
     private static double[] pile(boolean isAmongStrangers, Accuracy accuracy) {
         StoredIsland world = new StoredIsland(EFFECTS);
         int ground = floor(world);
@@ -244,7 +245,7 @@ class IslandSolverTest {
         return all;
     }
 
-    /** It decides by nothing outside of an island: not by what it solved before, to the bit. */
+    /** The solution depends on nothing outside the island, nor on earlier solutions, to the bit. */
     @ParameterizedTest
     @EnumSource(Way.class)
     void strangersChangeNoBit(Way way) {

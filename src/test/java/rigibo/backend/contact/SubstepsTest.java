@@ -17,7 +17,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.DataStorage;
 
-/** A crowd is given substeps by the way that its fastest body goes in a step, in widths. */
+/** The number of substeps of a crowd, by the way of its fastest body in a step, in widths. */
 class SubstepsTest {
 
     private static final int USUAL = 4;
@@ -28,7 +28,7 @@ class SubstepsTest {
                     Effects.of(new Contacts(), new Rotation(), new Gravity(0, -9.81)),
                     Accuracy.GAME);
 
-    /** Four tenths of a width ask for all of them, and shares of that for as many. */
+    /** Four tenths of a width need all substeps, and shares of it as large a share of them. */
     @ParameterizedTest
     @CsvSource({"0, 1", "0.09, 1", "0.11, 2", "0.21, 3", "0.31, 4", "0.5, 4", "50, 4"})
     void aCrowdHasSubstepsByItsFastestBody(double way, int substeps) {
@@ -51,14 +51,14 @@ class SubstepsTest {
         assertThat(new Substeps(wall(3)).of(0, DT, USUAL)).isEqualTo(USUAL);
     }
 
-    /** What is pushed from now on does not know yet how far it will go. */
+    /** The way of a body that was just pushed is not known yet. */
     @Test
     void aCrowdThatIsDrivenHasAllOfThem() {
         pool.add(BodyDefinition.kinematic(Polygon.box(1, 1)).at(-1, 0.5).velocity(1, 0));
         assertThat(new Substeps(wall(20)).of(0, DT, USUAL)).isEqualTo(USUAL);
     }
 
-    /** Boxes side by side, three high, that have lain there for an instant. */
+    /** Boxes side by side, three high, that have just been put there. */
     private DataStorage wall(int width) {
         pool.add(BodyDefinition.fixed(Polygon.box(100, 1)).at(0, -0.5));
         for (int storey = 0; storey < 3; storey++) {

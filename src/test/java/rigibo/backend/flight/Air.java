@@ -17,7 +17,7 @@ import rigibo.backend.setup.Material;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Pairs;
 
-/** Bodies in the air with their pairs and manifolds, as flight finds them within a step. */
+/** Bodies in the air, with their pairs and manifolds as flight finds them within a step. */
 final class Air {
 
     static final Effect[] ALL = {new Contacts(), new Rotation(), new Friction(), new Restitution()};
@@ -45,7 +45,7 @@ final class Air {
         flight = new Flight(storage.data, narrowphase, broadphase, accuracy, null);
     }
 
-    /** 1 kg and frictionless, with an elasticity. */
+    /** A dynamic body of 1 kg without friction. */
     static BodyDefinition body(Shape shape, double elasticity) {
         return BodyDefinition.dynamic(shape).mass(1).material(new Material(1, 0, elasticity));
     }
@@ -54,7 +54,10 @@ final class Air {
         return body(new Circle(1), elasticity).at(x, 0).velocity(velocityX, 0);
     }
 
-    /** A wall of 1 m thickness whose face is at x, on its left if {@code side} is 1. */
+    /**
+     * A fixed wall, 1 m thick, with a face at x; it lies to the left of the face if {@code side} is
+     * 1.
+     */
     static BodyDefinition wall(double face, int side) {
         return BodyDefinition.fixed(Polygon.box(1, 20))
                 .at(face + side * 0.5, 0)
@@ -65,7 +68,7 @@ final class Air {
         return storage.add(definition);
     }
 
-    /** All dynamic bodies fall at an acceleration, m/s². */
+    /** Sets the acceleration of all dynamic bodies, m/s². */
     void pull(double x, double y) {
         for (int slot = 0; slot < bodies.slots.high; slot++) {
             if (bodies.isDynamic(slot)) {
@@ -75,14 +78,14 @@ final class Air {
         }
     }
 
-    /** The stages of a step that come before flight. */
+    /** Runs the stages of a step that come before flight. */
     void meet(double dt) {
         storage.data.roster.refresh(bodies);
         broadphase.update(dt);
         narrowphase.collide(dt);
     }
 
-    /** One step in which all are flyers but what was told to be in a pile. */
+    /** Makes one step; all bodies fly except those that were put in a pile. */
     void fly(double dt) {
         meet(dt);
         flight.fly(dt);

@@ -20,15 +20,16 @@ import rigibo.backend.setup.Material;
 import rigibo.backend.storage.Pairs;
 
 /**
- * How far what is struck may get, against the impact law by hand. A way of 0.002 of a width is
- * allowed: 0.004 m for discs of 1 m. What goes beyond may get as far as twice its speed leads.
+ * The reach of struck bodies, compared with the impact law worked out by hand. The allowance is
+ * 0.002 of a width: 0.004 m for discs of radius 1 m. A body beyond it may get as far as twice its
+ * speed takes it.
  */
 class BystandersTest {
 
     private static final double TOLERANCE = 1e-4;
     private static final Accuracy GAME = Accuracy.GAME.withImpactTolerance(TOLERANCE);
 
-    /** m, that count as touching, for bodies 2 m wide. */
+    /** Gap that counts as contact, m, for bodies 2 m wide. */
     private static final double TOUCHING = 2e-3;
 
     private static final double ROUND_OFF = 1e-14;
@@ -41,7 +42,7 @@ class BystandersTest {
         return new Bystanders(air.storage.data, air.narrowphase, air.broadphase, paths, TOLERANCE);
     }
 
-    /** Begins anew in a world in which nothing turns. */
+    /** Starts again in a world without rotation. */
     private void turnNothing() {
         air = new Air(GAME, new Contacts(), new Friction(), new Restitution());
         paths = new Trajectories(air.bodies);
@@ -56,7 +57,7 @@ class BystandersTest {
         return air.add(BodyDefinition.fixed(Polygon.box(2, 2)).material(new Material(1, 0, 0)));
     }
 
-    /** Discs along the direction (0.6, 0.8) from A to B, with an elasticity. */
+    /** The impact of two discs, with the normal (0.6, 0.8) from A to B. */
     private Impact impact(int a, int b, double elasticity) {
         int pair = air.storage.pair(a, b);
         air.pairs.normalX[pair] = 0.6;
@@ -68,7 +69,7 @@ class BystandersTest {
         return impact;
     }
 
-    /** Of whichever gets farther, where body B is the pile's. */
+    /** The larger reach of the two bodies; body B belongs to the pile. */
     private double reachOfImpact(int a, int b, Impact impact, double left) {
         return reachOfImpact(a, b, impact, false, left);
     }
@@ -79,8 +80,8 @@ class BystandersTest {
     }
 
     /**
-     * Equal discs, one of which comes at v: it may be stopped or thrown back by what else is there,
-     * at v. 0.004 m are allowed.
+     * Equal discs, one of which comes at speed v. Other bodies may stop it or throw it back, so its
+     * reach follows from v. The allowance is 0.004 m.
      */
     @ParameterizedTest(name = "at {0} m/s with e = {1}, in {2} s: {3} m")
     @CsvSource({
@@ -101,7 +102,10 @@ class BystandersTest {
                 .isEqualTo(reach, within(ROUND_OFF));
     }
 
-    /** 0.6 m/s of a disc that turns at 0.5 rad/s, by which 1 m of it goes as fast, in 0.5 s. */
+    /**
+     * The disc moves at 0.6 m/s and turns at 0.5 rad/s, which adds 0.5 m/s at a radius of 1 m, for
+     * 0.5 s.
+     */
     @Test
     void whatTurnsMayBeStoppedToo() {
         int a = disc(0, 0, 0.36, 0.48);
@@ -120,7 +124,10 @@ class BystandersTest {
         assertThat(reachOfImpact(a, b, impact(a, b, 0), 0.5)).isEqualTo(2 * 0.5, within(ROUND_OFF));
     }
 
-    /** An impact that makes what is struck go faster than either went: 2·v·2m/(3m) of a third. */
+    /**
+     * The struck body leaves faster than either came: its speed is 2·v·2m/(3m) for a mass ratio of
+     * 2.
+     */
     @Test
     void whatIsLighterGoesFaster() {
         int a = disc(0, 0, 0.6, 0.8);
@@ -132,8 +139,8 @@ class BystandersTest {
     }
 
     /**
-     * A body of a pile at 2 m/s meets a wall that comes at 1 and leaves it at a quarter of 3: it is
-     * then 3.75 m/s faster. What cannot be moved gets where it is told.
+     * A body of a pile at 2 m/s meets a wall that comes at 1 m/s, and leaves it at a quarter of the
+     * closing speed of 3 m/s: a change of 3.75 m/s. The wall's own path is known.
      */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
@@ -152,19 +159,20 @@ class BystandersTest {
         assertThat(isFirst ? bystanders.reachOfA : bystanders.reachOfB).isZero();
     }
 
-    /** On a floor that moves at (u, v) m/s the two get as far as on one at rest. */
+    /** The reaches do not depend on a common velocity (u, v) of the bodies and the floor, m/s. */
     @ParameterizedTest
     @CsvSource({"0, 0", "50, 0", "-7, 300"})
     void whatMovesWithThePileIsNoWay(double u, double v) {
         int a = disc(0, 0, u + 0.6, v + 0.8);
         int b = disc(1.2, 1.6, u, v);
         bystanders.measureImpact(a, b, impact(a, b, 0.5), false, 0.5);
-        // Speeds of 300 m/s leave thirteen digits of a difference of 1: A leaves at ¼, B at ¾.
+        // Subtracting speeds of 300 m/s leaves thirteen digits. A leaves at ¼ of the closing speed,
+        // B at ¾.
         assertThat(bystanders.reachOfA).isEqualTo(2 * 0.5, within(1e-12));
         assertThat(bystanders.reachOfB).isEqualTo(2 * 0.75 * 0.5, within(1e-12));
     }
 
-    /** Without a point nothing changes, yet what else is there may stop it. */
+    /** Without a contact point no velocity changes, but another body may stop it. */
     @Test
     void withoutAPointItMayBeStopped() {
         int a = disc(0, 0, 6, 8);
@@ -174,7 +182,7 @@ class BystandersTest {
         assertThat(reachOfImpact(a, b, impact, 0.5)).isEqualTo(2 * 10 * 0.5, within(ROUND_OFF));
     }
 
-    /** A pair with a gap, along (0.6, 0.8). */
+    /** Adds a pair with a gap along (0.6, 0.8). */
     private int near(int a, int b, double gap) {
         int pair = air.storage.pair(Math.min(a, b), Math.max(a, b));
         air.pairs.normalX[pair] = 0.6;
@@ -184,9 +192,7 @@ class BystandersTest {
         return pair;
     }
 
-    /**
-     * A and B close at 1 m/s and slip past each other at 2: 0.1 m of way in a tenth of a second.
-     */
+    /** A and B close at 1 m/s and slide past each other at 2 m/s: they close by 0.1 m in 0.1 s. */
     @ParameterizedTest(name = "over {0} m in {1} s: strike is {2}")
     @CsvSource({
         "0.099, 0.1, true",
@@ -212,7 +218,10 @@ class BystandersTest {
         assertThat(bystanders.reachOfBouncers(pair, 1)).isZero();
     }
 
-    /** A box of √2 m from corner to middle that turns at 3 rad/s closes at 3·√2, whichever way. */
+    /**
+     * A corner √2 m from the centre of a box that turns at 3 rad/s adds 3·√2 m/s of closing speed,
+     * in either sense.
+     */
     @ParameterizedTest
     @CsvSource({"3, 0", "-3, 0", "0, 3", "2, -1"})
     void turningClosesToo(double spinA, double spinB) {
@@ -227,8 +236,8 @@ class BystandersTest {
     }
 
     /**
-     * A wall that turns moves at a contact as it does there, and beside it by what turning adds
-     * across the other's width: at (3, 4) m by ω·(−4, 3), and ω·2 m/s more.
+     * The velocity of a turning wall is taken at the contact, (3, 4) m from its centre: ω·(−4, 3).
+     * Turning adds ω·2 m/s across the other body's width.
      */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
@@ -241,7 +250,8 @@ class BystandersTest {
         int pair = near(first, second, 0);
         air.pairs.pointX[2 * pair] = 3;
         air.pairs.pointY[2 * pair] = 4;
-        // (1 − 2, 2 + 1.5) = (−1, 3.5) along (0.6, 0.8): 2.2 towards the disc, if that is ahead.
+        // The velocity (1 − 2, 2 + 1.5) = (−1, 3.5) has the component 2.2 along (0.6, 0.8), towards
+        // the disc if that is ahead.
         double closing = (isFirst ? 2.2 : -2.2) + 1;
         double reach = bystanders.reachOfBouncers(pair, 0.25);
         assertThat(reach)
@@ -259,7 +269,10 @@ class BystandersTest {
         assertThat(bystanders.reachOfBouncers(pair, 0.19)).isZero();
     }
 
-    /** A disc that comes to be at x = 6 finds one at 12 within 4.1 m of it, and none within 3.9. */
+    /**
+     * A disc that will be at x = 6 finds one at x = 12 with a reach of 4.1 m, and does not with 3.9
+     * m.
+     */
     @ParameterizedTest
     @CsvSource({"4.5, true", "1, false"})
     void looksRoundWhereTheBodyIsByThen(double reach, boolean finds) {
@@ -273,9 +286,9 @@ class BystandersTest {
     }
 
     /**
-     * Discs with a gap of 1 m, so far from another as the reach and what their own ways close: 2
-     * m/s for what is left, and a thousandth of their width. In a pile from the start they are seen
-     * where they began, else where they are by then, 0.25 m nearer.
+     * Discs with a gap of 1 m, which the reach and their own motion must close: 2 m/s for the rest
+     * of the step, and a thousandth of their width. Bodies that were in a pile from the start are
+     * measured at their poses there, others at their present poses, 0.25 m nearer.
      */
     @ParameterizedTest(name = "reach {0} m, in flight {1}, {2}: within is {3}")
     @CsvSource({
@@ -305,7 +318,7 @@ class BystandersTest {
         }
     }
 
-    /** One that joined the pile within the step is where it was then, and goes on from there. */
+    /** A body that joined the pile within the step is predicted from the place where it joined. */
     @Test
     void whoJoinedWithinTheStepIsWhereItGoesFromThere() {
         int a = disc(0, 0, 2, 0);
@@ -321,7 +334,8 @@ class BystandersTest {
     }
 
     /**
-     * Boxes turned by 45° whose corners face: farther than by their circles they are not measured.
+     * Boxes turned by 45° face each other with their corners. They are measured only if their
+     * bounding circles are within reach.
      */
     @ParameterizedTest
     @CsvSource({"0.99, true", "1.01, false"})
@@ -334,15 +348,15 @@ class BystandersTest {
         air.pairs.reach[pair] = 7;
         assertThat(bystanders.isWithinReach(pair, 1 - TOUCHING, 0, 0)).isEqualTo(isMeasured);
         assertThat(Double.isNaN(air.pairs.reach[pair])).isEqualTo(isMeasured);
-        // One that had points is measured anew wherever it is.
+        // A pair that had points is measured again wherever it is.
         air.pairs.points[pair] = 1;
         assertThat(bystanders.isWithinReach(pair, 1 - TOUCHING, 0, 0)).isEqualTo(isMeasured);
         assertThat(air.pairs.reach[pair]).isNaN();
     }
 
     /**
-     * Of 1 m a gap takes what the ways of both do not close: 0.5 m but for 2 m/s·0.125 s. What is
-     * struck by its like without elasticity goes on at half of that.
+     * Of the reach of 1 m the gap takes the part that both motions do not close: 0.5 m less 2
+     * m/s·0.125 s. A body struck by an equal one at an elasticity of 0 moves on at half the speed.
      */
     @ParameterizedTest(name = "of {0} m over {1} m: {2} m")
     @CsvSource({
@@ -363,7 +377,10 @@ class BystandersTest {
                 .isEqualTo(left, within(ROUND_OFF));
     }
 
-    /** m strikes M: M goes on at (1 + e)·m/(m + M), here of one fourfold or a fourth; no wall. */
+    /**
+     * A body of mass m strikes one of mass M, which moves on at (1 + e)·m/(m + M). M is four times
+     * m, or a quarter of it.
+     */
     @ParameterizedTest(name = "by {0} of its mass with e = {1}: {2}")
     @CsvSource({"4, 0, 0.8", "4, 1, 1.6", "0.25, 0, 0.2", "0.25, 0.5, 0.3"})
     void aStruckBodyTakesItsShareByMass(double ratio, double elasticity, double share) {
@@ -380,8 +397,8 @@ class BystandersTest {
     }
 
     /**
-     * It may fall on what a floor has stopped, of whatever mass: then the floor stops it, too. By
-     * more than that only what is struck by far more than its mass is thrown.
+     * A flyer of any mass gets the whole rest of the way: it may fall on a body that a floor has
+     * stopped. It gets more only if the striking body is far heavier.
      */
     @ParameterizedTest(name = "by {0} of its mass with e = {1}: {2}")
     @CsvSource({"0.25, 0, 1", "1, 0, 1", "4, 0.5, 1.2", "4, 1, 1.6"})

@@ -13,7 +13,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
-/** What becomes of a pair that has met as often in a step as it may: it rests, waits, or lands. */
+/** A pair that reached the limit of impacts in a step comes to rest, waits, or joins a pile. */
 class CapOfImpactsTest {
 
     private final OneInstant instant = new OneInstant();
@@ -21,17 +21,17 @@ class CapOfImpactsTest {
     private final Trajectories paths = instant.paths;
     private final FlightImpacts impacts = instant.impacts;
 
-    /** Lets the first pair meet so many times more, this one included. */
+    /** Leaves the first pair a number of impacts, the present one included. */
     private void leave(int impacts) {
         leave(1, impacts);
     }
 
-    /** Lets it do so where it may meet so many times as often as others. */
+    /** As above, with a factor on the limit. */
     private void leave(int factor, int impacts) {
         air.pairs.impacts[0] = factor * Accuracy.GAME.maxImpactsPerPair() - impacts;
     }
 
-    /** Pairs that came to rest are counted, and those that met as often as they may. */
+    /** The report counts the pairs that came to rest and those that reached the limit. */
     @ParameterizedTest
     @CsvSource({"0.5, false, 1, 0", "1, false, 0, 0", "0.5, true, 0, 1", "1, true, 0, 1"})
     void whatEndsIsCounted(double elasticity, boolean isLast, int settled, int capped) {
@@ -48,7 +48,7 @@ class CapOfImpactsTest {
         assertThat(air.storage.data.counters.cappedPairs).isEqualTo(capped);
     }
 
-    /** Both of a pair that met too often are left to the pile, with the speeds they have. */
+    /** Both bodies of a pair at its limit join the pile with their present speeds. */
     @Test
     void bothOfAPairThatMetTooOftenLand() {
         strikeForTheLastTime(0.5, 1);
@@ -57,7 +57,7 @@ class CapOfImpactsTest {
         assertThat(air.bodies.velocityX).startsWith(-0.5, 0.5);
     }
 
-    /** Two that both move do not stand: their centre of mass goes on, whatever they do. */
+    /** Two dynamic bodies cannot wait, since their centre of mass moves on. */
     @Test
     void twoThatBothMoveDoNotStand() {
         strikeForTheLastTime(1, 16);
@@ -66,7 +66,7 @@ class CapOfImpactsTest {
         assertThat(air.bodies.velocityX).startsWith(-1, 1);
     }
 
-    /** Where nothing is lost they may meet sixteen times as often as others before they do. */
+    /** Two dynamic bodies with an elasticity of 1 have sixteen times the limit of others. */
     @Test
     void twoThatLoseNothingChatterOn() {
         strikeForTheLastTime(1, 1);
@@ -75,7 +75,7 @@ class CapOfImpactsTest {
         assertThat(air.bodies.velocityX).startsWith(-1, 1);
     }
 
-    /** Two discs meet at 1 m/s each, as often as they may. */
+    /** Two discs meet at 1 m/s each, in the last impact that the limit allows. */
     private void strikeForTheLastTime(double elasticity, int factor) {
         air.add(Air.disc(0, 1, elasticity));
         air.add(Air.disc(2, -1, elasticity));
@@ -85,7 +85,8 @@ class CapOfImpactsTest {
     }
 
     /**
-     * Where nothing presses, an impact that finds them parting already is not the end of bounces.
+     * Two bodies that are already parting do not rest on each other if nothing presses them
+     * together.
      */
     @Test
     void whatPartsUnpressedDoesNotRest() {
@@ -100,9 +101,9 @@ class CapOfImpactsTest {
     }
 
     /**
-     * At the last impact a pair may have, a rebound that lifts less than half a millimetre per
-     * metre of 2 m is not seen: v² ≤ 2·g·10⁻³. The pair rests; a faster one, which loses nothing,
-     * stands for the rest of the step.
+     * In the last impact that the limit allows, a rebound by less than half a millimetre per metre
+     * of width (2 m here) is not visible: v² ≤ 2·g·10⁻³. Then the pair rests. A faster pair with an
+     * elasticity of 1 waits for the rest of the step.
      */
     @ParameterizedTest
     @CsvSource({"10, 0.1414, true", "10, 0.1415, false", "0.5, 0.0316, true", "0.5, 0.0317, false"})
@@ -121,7 +122,7 @@ class CapOfImpactsTest {
         assertThat(air.bodies.pileTime[1]).isEqualTo(rests ? 1 : 0);
     }
 
-    /** Before its last impact, it bounces as it is told. */
+    /** Before the limit is reached, a pair rebounds by its elasticity. */
     @Test
     void beforeTheLastImpactItBounces() {
         instant.layFloor(1);
@@ -135,7 +136,9 @@ class CapOfImpactsTest {
         assertThat(air.bodies.velocityY[1]).isEqualTo(0.1, within(1e-15));
     }
 
-    /** At a wall where nothing is lost one stands for the rest of the step, with its speed. */
+    /**
+     * A body with an elasticity of 1 waits at a wall for the rest of the step and keeps its speed.
+     */
     @Test
     void whatLosesNothingAtAWallStands() {
         instant.layFloor(1);
@@ -154,7 +157,7 @@ class CapOfImpactsTest {
         assertThat(air.bodies.spin[1]).isEqualTo(4);
     }
 
-    /** What runs into one that stands is struck as if it moved, and stands as well. */
+    /** A body that hits a waiting one is struck as if that one moved, and waits as well. */
     @ParameterizedTest
     @CsvSource({"0, 3, -1, 3", "0, -2, -2, -1", "1, 3, -1, 3", "1, -2, -2, -1"})
     void whoRunsIntoOneThatStandsStands(
@@ -173,7 +176,7 @@ class CapOfImpactsTest {
         assertThat(air.bodies.velocityX[standing]).isEqualTo(ofStanding);
     }
 
-    /** A driven wall does not wait: who stands in its way is left to the pile. */
+    /** A driven wall does not wait, so the body in its way joins the pile. */
     @Test
     void whoStandsInTheWayOfADrivenBodyLands() {
         air.add(Air.disc(0, -1, 1));

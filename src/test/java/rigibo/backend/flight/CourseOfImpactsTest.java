@@ -16,13 +16,13 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 
-/** Flight from impact to impact through a drag that changes along the way, k = 0.1/s. */
+/** Impacts of bodies under a drag that varies along the path, k = 0.1/s. */
 class CourseOfImpactsTest {
 
     private static final double K = 0.1;
     private static final double DT = 0.1;
 
-    /** m and m/s: a path is laid up to j·T³/40 beside the true one, j = k²·v. */
+    /** Bound on the error of a laid path: j·T³/40 with j = k²·v, m and m/s. */
     private static final double OFF = 1e-5;
 
     private final Field drag = new Field(at -> at.accelerate(-K * at.velocityX, -K * at.velocityY));
@@ -39,12 +39,12 @@ class CourseOfImpactsTest {
         new Flight(air.storage.data, air.narrowphase, air.broadphase, air.accuracy, course).fly(DT);
     }
 
-    /** How far v₀ leads by then: v₀(1 − e^(−kt))/k. */
+    /** Distance covered under drag: v₀(1 − e^(−kt))/k. */
     private static double way(double speed) {
         return speed * (1 - Math.exp(-K * DT)) / K;
     }
 
-    /** With e = 1 a wall folds the way and turns the speed round, and changes nothing else. */
+    /** At e = 1 a wall reflects the path and the velocity, and changes nothing else. */
     @ParameterizedTest
     @ValueSource(doubles = {0.05, 0.2, 0.35})
     void aWallFoldsTheWay(double gap) {
@@ -58,7 +58,7 @@ class CourseOfImpactsTest {
         assertThat(bodies.velocityX[disc]).isEqualTo(-4 * Math.exp(-K * DT), within(OFF));
     }
 
-    /** The struck one is slowed from then on only, and the striker up to then. */
+    /** Drag acts on the striking body up to the impact, and on the struck body from then on. */
     @ParameterizedTest
     @ValueSource(doubles = {0.05, 0.2, 0.35})
     void theStruckGoesOnForTheStriker(double gap) {

@@ -18,10 +18,10 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Integrator;
 import rigibo.backend.storage.Bodies;
 
-/** Paths that are laid under forces that change along the way, and broken off on it. */
+/** Paths under forces that vary along the path, and paths that an impact cuts short. */
 class CourseTest {
 
-    /** Every one of many bodies has a path of its own, and sleepers and driven ones none. */
+    /** Each awake dynamic body has a path of its own; sleeping and driven bodies have none. */
     @Test
     void everyAwakeDynamicBodyHasAPath() {
         Thrown thrown =
@@ -35,9 +35,8 @@ class CourseTest {
     }
 
     /**
-     * x = t³, whose path is the cubic itself, broken off at ¼ and laid anew: the velocity at the
-     * end is as if nothing had been. The place keeps what the laid parabola is off by at ¼, σ²(1 −
-     * σ).
+     * The motion x = t³ is the cubic of the path itself. Cut at ¼ and laid again, it ends with the
+     * same velocity. The place keeps the error of the laid parabola at ¼, σ²(1 − σ).
      */
     @ParameterizedTest
     @CsvSource({"1, 0", "0, 1", "-2, 1"})
@@ -60,7 +59,7 @@ class CourseTest {
             flight.fly(0.75);
             thrown.course.catchUp(0, 1);
 
-            // The integral of 6t from 2 to 3 s is 15, and that of its integral 3t² − 12 is 7.
+            // The integral of 6t from 2 to 3 s is 15, and the integral of 3t² − 12 is 7.
             double off = 0.75 / 16;
             assertThat(bodies.x[0]).isEqualTo(1 + 3 + (7 + off) * x, within(1e-12));
             assertThat(bodies.y[0]).isEqualTo(2 + 4 + 0.25 + (7 + off) * y, within(1e-12));
@@ -73,8 +72,8 @@ class CourseTest {
     }
 
     /**
-     * What an impact at the very start of a step sends into forces beyond all bounds goes on as it
-     * was: who is not finite then would spread to all that it meets before the step ends.
+     * An impact at the start of a step sends a body into unbounded forces. It keeps its old path: a
+     * body that is not finite would spread to all that it meets before the step ends.
      */
     @Test
     void aPathLaidAnewAtTheStartOfAStepStaysFinite() {
@@ -93,7 +92,8 @@ class CourseTest {
     }
 
     /**
-     * Where a path breaks off at ¼ of its length the cubic lacks σ(3σ − 2) of what its end lacks.
+     * Where a path is cut at ¼ of its length, the cubic differs by σ(3σ − 2) of the velocity that
+     * the path lacks at its end.
      */
     @Test
     void whatIsMetOnTheWayHasTheVelocityOfTheCubic() {
@@ -110,14 +110,16 @@ class CourseTest {
         paths.advance(0, 0.25);
         course.catchUp(0, 0.25);
 
-        // v = 3 + 2·¼, and of the lack 3 − 2 = 1 the share ¼·(¾ − 2).
+        // The velocity is 3 + 2·¼. The path lacks 3 − 2 = 1, of which the share is ¼·(¾ − 2).
         assertThat(storage.bodies.velocityX[0]).isEqualTo(3.5 - 0.3125, within(1e-14));
         double then = storage.bodies.velocityX[0];
         course.catchUp(0, 0.5);
         assertThat(storage.bodies.velocityX[0]).as("only once").isEqualTo(then);
     }
 
-    /** What a pull adds is told apart from what is steady: piles take only that. */
+    /**
+     * The acceleration by varying forces is stored apart from the constant one: piles read only it.
+     */
     @Test
     void tellsThePullFromWhatIsSteady() {
         Thrown thrown = new Thrown(Thrown.by(Integrator.BALLISTIC), 2, at -> at.accelerate(5, 7));
@@ -125,7 +127,7 @@ class CourseTest {
             thrown.bodies.accelerationX[0] = 1;
             thrown.bodies.accelerationY[0] = -8;
             thrown.course.begin(1e-3);
-            // To first order in k·h = 2·10⁻³.
+            // Exact to first order in k·h = 2·10⁻³.
             assertThat(thrown.bodies.pullX[0]).isEqualTo(5, within(0.02));
             assertThat(thrown.bodies.pullY[0]).isEqualTo(7, within(0.02));
             assertThat(thrown.bodies.accelerationX[0])
@@ -135,7 +137,10 @@ class CourseTest {
         }
     }
 
-    /** Up to ten times the speed of light at the end, and as far as that leads in 2 s. */
+    /**
+     * The bound is ten times the speed of light at the end of the path, and the distance covered at
+     * that speed in 2 s.
+     */
     @ParameterizedTest
     @CsvSource({"1.4e9, true", "1.6e9, false"})
     void whatIsBoundedIsLaid(double acceleration, boolean isBounded) {

@@ -19,8 +19,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How ways off the expected path are handed on among piles. Discs of 1 m and 1 kg on a line, of
- * which one hands on all of its way to the next, that lose nothing and stand still.
+ * The spread of disturbances among piles. Discs of radius 1 m and 1 kg lie at rest on a line, with
+ * an elasticity of 1; each hands its whole reach to the next.
  */
 class DisturbanceTest {
 
@@ -42,7 +42,7 @@ class DisturbanceTest {
     private void join(int flyer, int pileBody, double time, double dt) {
         paths.land(flyer, time);
         joined.add(flyer);
-        // Flight measures its pairs by the ways both are expected to go: they meet nobody.
+        // Flight measures its pairs by the predicted motions of both bodies, which meet nothing.
         for (int p = air.bodies.firstPair[flyer]; p != Pairs.NONE; p = air.pairs.nextOf(p, flyer)) {
             air.pairs.points[p] = 0;
         }
@@ -64,13 +64,13 @@ class DisturbanceTest {
         disturbance.begin();
     }
 
-    /** Lets a body of a pile get so far, in m, from the start of the step on. */
+    /** Gives a body of a pile a reach (m) from the start of the step. */
     private void disturb(int slot, double reach) {
         disturbance.note(slot, reach);
         disturbance.spread(0, DT);
     }
 
-    /** A way that is less than a twentieth longer than the one known is not looked along. */
+    /** A reach that grows by less than a twentieth is not searched again. */
     @Test
     void aWayThatIsHardlyLongerIsNoNews() {
         int disturbed = piled(0);
@@ -84,7 +84,9 @@ class DisturbanceTest {
         assertThat(joined).containsExactly(beside);
     }
 
-    /** What is disturbed gets to it, so their contact is one, whatever both were expected to do. */
+    /**
+     * A body that joins gets a contact with the disturbed body, whatever their predicted motions.
+     */
     @Test
     void whoJoinsIsAContactOfWhatIsDisturbed() {
         int disturbed = piled(0);
@@ -111,11 +113,11 @@ class DisturbanceTest {
         assertThat(joined).containsExactly(beside);
     }
 
-    /** Who comes near later is told by what disturbs it then, and not by ways of before. */
+    /** Flyers that come near later join by later disturbances only. */
     @Test
     void aWayIsLookedAlongOnce() {
         int disturbed = piled(0);
-        // Aslant it is found, though 1.8 m off.
+        // The search box includes it, though the distance is 1.8 m.
         int beside = air.add(Air.body(new Circle(1), 1).at(2.7, 2.7));
         int farAway = piled(50);
         begin();
@@ -127,7 +129,7 @@ class DisturbanceTest {
         assertThat(joined).isEmpty();
     }
 
-    /** A disc that touches a pile where nothing is disturbed goes on flying. */
+    /** A disc that touches an undisturbed pile flies on. */
     @Test
     void whatRestsDisturbsNobodyWhateverElseIs() {
         piled(0);
@@ -153,7 +155,7 @@ class DisturbanceTest {
         assertThat(joined).containsExactly(beside);
     }
 
-    /** Of another pile, and beyond all that the speeds of both would close by themselves. */
+    /** A body of another pile is reached beyond the distance that their speeds would close. */
     @Test
     void whatIsReachedOfAPileBecomesAContact() {
         int disturbed = piled(0);
@@ -168,8 +170,8 @@ class DisturbanceTest {
     }
 
     /**
-     * Over ½ m it strikes one of another pile, which hands on the ½ m that is left, beyond where
-     * the first might get itself.
+     * Over a gap of ½ m the disturbance reaches a body of another pile, which hands on the
+     * remaining ½ m, farther than the first body could get.
      */
     @ParameterizedTest
     @CsvSource({"0.49, true", "0.51, false"})
@@ -184,14 +186,14 @@ class DisturbanceTest {
     }
 
     /**
-     * From ¼ s on, 1 m: a disc that flies round it at 1 m/s is within reach where it is by then, or
-     * where it might have come in the ½ s of the step, and a thousandth of its width nearer.
+     * From ¼ s on the reach is 1 m. A disc that flies past at 1 m/s is within it at its present
+     * place, or at any place of its way in the ½ s of the step; a thousandth of its width is added.
      */
     @ParameterizedTest
     @CsvSource({"1.501, true", "1.503, false"})
     void whoFliesIsReachedWhereItIsByThen(double gap, boolean joins) {
         int disturbed = piled(0);
-        // Aslant, where a look along both axes finds what is farther off than the reach.
+        // Diagonally, a search box finds bodies that are farther away than the reach.
         double along = Math.sqrt(0.5);
         double place = (2 + gap) * along;
         int beside =
@@ -208,8 +210,8 @@ class DisturbanceTest {
     }
 
     /**
-     * Of a way of a disc of m = 1 kg, a joint hands √(m/(m + M)) on to one of mass M: moving so far
-     * in the same time, both have the energy of the first alone.
+     * A joint hands on √(m/(m + M)) of the reach of a disc of m = 1 kg to one of mass M: moving as
+     * far in the same time, both have the energy of the first alone.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0.01, 1, 4})

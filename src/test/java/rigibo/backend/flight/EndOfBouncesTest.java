@@ -12,15 +12,15 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
-/** How bounces end, against Zeno's series. */
+/** The end of a series of bounces, compared with Zeno's series. */
 class EndOfBouncesTest {
 
     private final OneInstant instant = new OneInstant();
     private final Air air = instant.air;
 
     /**
-     * Down at v on the floor with g: the flight after it takes 2ev/g, the next e times as long, and
-     * so on: 2ev/(g(1 − e)) in all. A disc slides on meanwhile and rests at the end of it.
+     * After an impact at v under g the flight takes 2ev/g, the next one e times as long, and so on:
+     * 2ev/(g(1 − e)) in all. A disc slides on meanwhile and rests at the end.
      */
     @ParameterizedTest
     @CsvSource({"0.5, 1", "0.25, 2", "0.75, 0.5"})
@@ -41,7 +41,7 @@ class EndOfBouncesTest {
         assertThat(air.bodies.velocityY[1]).isEqualTo(0, within(1e-15));
     }
 
-    /** Bounces take 2ev/(g(1 − e)); without elasticity, or speed, they are over at once. */
+    /** Bounces take 2ev/(g(1 − e)); at an elasticity or a speed of 0 they end at once. */
     @ParameterizedTest
     @CsvSource({"0.5, 0.1, 0.4", "0, 0.1, 0", "0.5, 0, 0"})
     void theSeriesIsOfWhatPressesAndOfTheSpeed(double elasticity, double speed, double left) {
@@ -55,7 +55,7 @@ class EndOfBouncesTest {
         assertThat(air.bodies.x[1]).isEqualTo(3 * left, within(1e-14));
     }
 
-    /** What loses nothing but does not move, either, rests at once. */
+    /** A body with an elasticity of 1 and a speed of 0 rests at once. */
     @Test
     void withoutASpeedThereIsNothingToLose() {
         land(Air.body(new Circle(1), 0).at(0, 1), 1, 2);
@@ -64,7 +64,7 @@ class EndOfBouncesTest {
         assertThat(air.bodies.pileTime[1]).isZero();
     }
 
-    /** Up to a thousandth of its width a pair touches; farther there is nothing to strike. */
+    /** A pair touches up to a thousandth of its width; farther apart there is no impact. */
     @ParameterizedTest
     @CsvSource({"0.0015, true", "0.0025, false", "1, false"})
     void whatDoesNotTouchRestsWithoutAImpact(double gap, boolean touches) {
@@ -75,7 +75,7 @@ class EndOfBouncesTest {
         assertThat(air.bodies.velocityY[1]).isEqualTo(touches ? 0 : -2, within(1e-15));
     }
 
-    /** What the series needs does not fit into the step: it bounces by its elasticity. */
+    /** The series is longer than the step: the body rebounds by its elasticity. */
     @Test
     void bouncesThatOutlastTheStepGoOn() {
         land(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1), 0.5, 0.19);
@@ -88,7 +88,7 @@ class EndOfBouncesTest {
         assertThat(air.storage.data.counters.impacts).isEqualTo(1);
     }
 
-    /** In 2·½·1/(10·½) = 0.2 s they are over, which is just when the step is. */
+    /** The series ends after 2·½·1/(10·½) = 0.2 s, exactly with the step. */
     @Test
     void bouncesThatEndWithTheStepHaveEnded() {
         land(Air.body(new Circle(1), 0).at(0, 1).velocity(0, -1), 0.5, 0.2);
@@ -98,7 +98,7 @@ class EndOfBouncesTest {
         assertThat(air.storage.data.counters.settledPairs).isEqualTo(1);
     }
 
-    /** Nothing presses it back: e·v and away. */
+    /** Without an acceleration the body leaves at e·v. */
     @Test
     void withoutAPullABounceIsTheLast() {
         instant.layFloor(0.5);
@@ -110,7 +110,7 @@ class EndOfBouncesTest {
         assertThat(air.bodies.velocityY[1]).isEqualTo(0.5e-9, within(1e-24));
     }
 
-    /** Without elasticity the first bounce is the last, and a box rests where it is. */
+    /** At an elasticity of 0 the first impact is the last, and a box rests in place. */
     @Test
     void aPlasticImpactRestsAtOnce() {
         landFlat(0, -2);
@@ -121,13 +121,13 @@ class EndOfBouncesTest {
         assertThat(air.pairs.impulse[0]).isEqualTo(2, within(1e-14));
     }
 
-    /** A box would turn on the way: it rests where it is, at the time of the impact. */
+    /** A box would turn on the way, so it rests in place at the time of the impact. */
     @Test
     void aBoxRestsWhereItIs() {
         landFlat(0.5, -1);
     }
 
-    /** Under 10 m/s² it strikes a floor at the beginning of a step of dt seconds. */
+    /** Under 10 m/s² a body strikes a floor at the start of a step of dt seconds. */
     private void land(BodyDefinition body, double elasticity, double dt) {
         instant.layFloor(elasticity);
         air.add(body);
@@ -136,7 +136,7 @@ class EndOfBouncesTest {
         instant.strike(0, dt, 0);
     }
 
-    /** A box strikes a floor with its face, at so many m/s, and joins the pile at once, there. */
+    /** A box strikes a floor flat at a speed in m/s, and joins the pile at once. */
     private void landFlat(double elasticity, double velocityY) {
         land(Air.body(Polygon.box(2, 2), 0).at(0, 1).velocity(3, velocityY), elasticity, 1);
 
@@ -144,7 +144,7 @@ class EndOfBouncesTest {
         assertThat(air.bodies.x[1]).isZero();
     }
 
-    /** A disc that spins turns on while its last bounces go by: ω·2ev/(g(1 − e)). */
+    /** A spinning disc turns on during its last bounces, by ω·2ev/(g(1 − e)). */
     @ParameterizedTest
     @ValueSource(doubles = {4, 1, -1})
     void aDiscTurnsOnWhileItsLastBouncesGoBy(double spin) {
@@ -154,7 +154,7 @@ class EndOfBouncesTest {
         assertThat(air.bodies.cos[1]).isEqualTo(Math.cos(spin * 0.2), within(1e-14));
     }
 
-    /** Two that fall alike do not press each other, whatever pulls them. */
+    /** Two bodies with equal accelerations do not press each other. */
     @Test
     void whatFallsTogetherDoesNotPress() {
         air.add(Air.disc(0, 1, 0.5));
@@ -167,7 +167,7 @@ class EndOfBouncesTest {
         assertThat(air.bodies.velocityX).startsWith(0.25, 0.75);
     }
 
-    /** Only one of them is pulled towards the other, at 10 m/s²: 2·½·1/(10·½) s. */
+    /** One body alone is accelerated towards the other, by 10 m/s²: 2·½·1/(10·½) s. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1})
     void whatIsPulledTogetherComesToRest(int pulled) {
@@ -184,7 +184,7 @@ class EndOfBouncesTest {
         assertThat(air.bodies.velocityX).startsWith(0.5, 0.5);
     }
 
-    /** What a pile does is not what pulls at it: a flyer is pressed by its own pull alone. */
+    /** The pile's acceleration does not count: a flyer is pressed by its own acceleration alone. */
     @Test
     void aPileIsTakenForSupported() {
         air.add(Air.disc(0, 1, 0.5));

@@ -13,7 +13,9 @@ import rigibo.backend.impact.Impact;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
-/** How a body that has met a pile is expected to go on, until the pile's solver tells. */
+/**
+ * The predicted motion of a body that has met a pile, before the pile's solver resolves the impact.
+ */
 class ExpectedReboundTest {
 
     private final OneInstant instant = new OneInstant();
@@ -21,7 +23,7 @@ class ExpectedReboundTest {
     private final Trajectories paths = instant.paths;
     private final FlightImpacts impacts = instant.impacts;
 
-    /** What is expected of one of two that meets the other, which is of a pile. */
+    /** The motion predicted for the body that meets a pile; the other body belongs to it. */
     private Motion expectedOf(int lander) {
         instant.begin(1);
         air.pile(1 - lander);
@@ -34,7 +36,7 @@ class ExpectedReboundTest {
     }
 
     /**
-     * A pile that comes at 1 m/s is taken for a wall: what meets it at 2 m/s goes back at 1 + 3·½.
+     * A pile is treated as a wall: it comes at 1 m/s, and what meets it at 2 m/s leaves at 1 + 3·½.
      */
     @ParameterizedTest
     @ValueSource(ints = {0, 1})
@@ -46,7 +48,7 @@ class ExpectedReboundTest {
                 .isEqualTo(lander == 0 ? -2.5 : 2.5, within(1e-15));
     }
 
-    /** Beside the middle of a box that would turn away, and rough: a wall does not. */
+    /** The hit is rough and beside the centre of a box, which would turn away; a wall does not. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1})
     void aPileDoesNotTurnAwayFromALander(int lander) {
@@ -62,7 +64,7 @@ class ExpectedReboundTest {
         assertThat(expectedOf(lander).velocityX).isEqualTo(-1, within(1e-14));
     }
 
-    /** Where nothing touches there is no impact to be expected: it goes on as it came. */
+    /** Without a contact point no impact is predicted: the body goes on. */
     @Test
     void withoutAPointALanderIsExpectedToGoOn() {
         air.add(Air.disc(0, 2, 0.5));
@@ -70,7 +72,7 @@ class ExpectedReboundTest {
         assertThat(expectedOf(0).velocityX).isEqualTo(2);
     }
 
-    /** The impact is at the velocities expected, not at those in the columns. */
+    /** The impact is computed at the predicted velocities, not at those in the columns. */
     @Test
     void aImpactIsOfTheVelocitiesExpected() {
         air.add(Air.disc(0, 2, 0.5).spin(1));

@@ -13,14 +13,14 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Quarantine;
 
-/** Impacts of one instant: who is struck together, and where the two of a pair touch. */
+/** Simultaneous impacts: which bodies are struck together, and where the two of a pair touch. */
 class FlightImpactsTest {
 
     private final OneInstant instant = new OneInstant();
     private final Air air = instant.air;
     private final FlightImpacts impacts = instant.impacts;
 
-    /** Both are brought to the time of the impact, and touch where they are then. */
+    /** Both bodies are advanced to the time of the impact and touch there. */
     @Test
     void bodiesMeetWhereTheyAreThen() {
         air.add(Air.disc(0, 2, 1));
@@ -47,7 +47,9 @@ class FlightImpactsTest {
         assertThat(air.bodies.x).startsWith(1, 9);
     }
 
-    /** Flat, both corners strike; tilted by more than the tolerance, the lower one does. */
+    /**
+     * A flat box strikes with both corners; tilted by more than the tolerance, with the lower one.
+     */
     @ParameterizedTest
     @CsvSource({"0, 2", "1e-5, 2", "1e-3, 1"})
     void whatIsAsNearAsTheNearestStrikes(double angle, int points) {
@@ -60,7 +62,7 @@ class FlightImpactsTest {
         assertThat(impacts.expectedImpact(0).points).isEqualTo(points);
     }
 
-    /** The other corner of a box of 2 m is 2·sin α higher; the tolerance is told per metre. */
+    /** The other corner of a box of 2 m is 2·sin α higher; the tolerance is stated per metre. */
     @ParameterizedTest
     @CsvSource({"0.9, 2", "1.1, 1"})
     void theToleranceScalesWithTheWidth(double share, int points) {
@@ -74,7 +76,7 @@ class FlightImpactsTest {
         assertThat(impacts.expectedImpact(0).points).isEqualTo(points);
     }
 
-    /** Where the search for an impact gives up, the two go on in the pile, and have not met. */
+    /** Where the search for an impact gives up, both bodies join the pile without an impact. */
     @Test
     void whatHasNotMetIsNoImpact() {
         instant.layFloor(0.5);
@@ -91,7 +93,7 @@ class FlightImpactsTest {
         assertThat(air.storage.data.counters.settledPairs).isZero();
     }
 
-    /** What meets in the same instant, but is too fast to touch yet, flies on. */
+    /** A body that is apart at the common time, because it is fast, flies on. */
     @Test
     void whatIsOnlyTiedAndHasNotMetFliesOn() {
         air.add(Air.disc(0, 1, 1));
@@ -106,7 +108,8 @@ class FlightImpactsTest {
     }
 
     /**
-     * Three in a row at once: ⅔ of the elastic impact is passed on, by 2j₁ − j₂ = 2v and j₁ = 2j₂.
+     * Three discs in a row at once: ⅔ of the elastic impact is handed on, by 2j₁ − j₂ = 2v and j₁ =
+     * 2j₂.
      */
     @Test
     void impactsThatShareABodyAreOne() {
@@ -121,7 +124,7 @@ class FlightImpactsTest {
         assertThat(air.storage.data.counters.impacts).isEqualTo(2);
     }
 
-    /** A wall passes nothing on: two that meet it at once are strangers. */
+    /** A wall transmits nothing, so two bodies that hit it at once are not connected. */
     @Test
     void aWallInCommonIsNoTie() {
         instant.layFloor(1);
@@ -133,7 +136,7 @@ class FlightImpactsTest {
         assertThat(air.bodies.velocityY).startsWith(0, 1, 3);
     }
 
-    /** The next instant is not tied to the last. */
+    /** The next impacts are not connected to these. */
     @Test
     void meetingsAreForgotten() {
         impactsThatShareABodyAreOne();
@@ -144,7 +147,7 @@ class FlightImpactsTest {
         assertThat(air.bodies.velocityX).startsWith(new double[] {0, 3, 2}, within(1e-12));
     }
 
-    /** As many pairs as there are may meet at one instant: equal discs exchange. */
+    /** All pairs may meet at the same time; equal discs exchange their velocities. */
     @Test
     void anInstantHoldsAllPairs() {
         int[] all = new int[40];
@@ -164,7 +167,10 @@ class FlightImpactsTest {
         }
     }
 
-    /** Struck by a heavy one at e = 1 it would leave at twice the speed, beyond all bounds. */
+    /**
+     * Struck by a heavy body at e = 1, a light one would leave at twice the speed, beyond all
+     * bounds.
+     */
     @ParameterizedTest
     @ValueSource(ints = {0, 1})
     void whoIsStruckBeyondAllBoundsIsPutToRest(int heavy) {

@@ -16,17 +16,20 @@ import rigibo.backend.setup.Material;
 import java.util.Arrays;
 import java.util.Random;
 
-/** Impacts within a step in the order of time, against motion that is known from school. */
+/** Impacts within a step in time order, compared with closed forms. */
 class FlightTest {
 
-    /** Impacts are taken up to a nanometre before touching; a few of them add up. */
+    /** Impacts are resolved up to a nanometre before contact; a few of these errors add up. */
     private static final double PLACE = 2e-8;
 
     private static final double SPEED = 1e-12;
 
     private final Air air = new Air(Accuracy.EXACT);
 
-    /** 1 m apart at 2 m/s: after ½ s A stops and B goes on, to where A would be without it. */
+    /**
+     * With a gap of 1 m at 2 m/s, A stops after ½ s, and B goes on to the place where A would be
+     * without it.
+     */
     @Test
     void equalDiscsExchangeTheirVelocities() {
         air.add(Air.disc(0, 2, 1));
@@ -43,7 +46,9 @@ class FlightTest {
         assertThat(air.storage.data.counters.evaluations).isPositive();
     }
 
-    /** Discs on a line are points that pass through each other, sorted by their places. */
+    /**
+     * Equal elastic discs on a line move like points that pass through each other, sorted by place.
+     */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void discsOnALineGoOnAsIfTheyPassedThroughEachOther(long seed) {
@@ -70,9 +75,7 @@ class FlightTest {
         }
     }
 
-    /**
-     * Between walls 4 m apart a disc of radius 1 has 2 m of way: 6.5 m of it are 1 + 2 + 2 + 1.5.
-     */
+    /** Between walls 4 m apart a disc of radius 1 m has 2 m to move: 6.5 m are 1 + 2 + 2 + 1.5. */
     @Test
     void bouncesBetweenWallsAsOftenAsItMeetsThem() {
         air.add(Air.wall(-2, -1));
@@ -85,7 +88,7 @@ class FlightTest {
         assertThat(air.storage.data.counters.impacts).isEqualTo(3);
     }
 
-    /** From h = 1.25 m at g = 10 it takes ½ s down, and with e = 1 as long up again. */
+    /** A fall from h = 1.25 m at g = 10 takes ½ s; at e = 1 the rebound takes as long. */
     @Test
     void aBallComesBackToItsHeight() {
         air.add(BodyDefinition.fixed(Polygon.box(20, 1)).at(0, -0.5));
@@ -97,7 +100,7 @@ class FlightTest {
         assertThat(air.bodies.velocityY[1]).isEqualTo(0, within(1e-7));
     }
 
-    /** Three at once: met from both sides at one instant, the one in the middle does not move. */
+    /** The disc in the middle is hit from both sides at once and does not move. */
     @Test
     void tiesAreStruckAtOnce() {
         air.add(Air.disc(0, 0, 1));
@@ -112,7 +115,8 @@ class FlightTest {
     }
 
     /**
-     * What hits a pile at ½ s is part of it from then on, and the pile's solver sees to the impact.
+     * A flyer that hits a pile at ½ s belongs to it from then on; the pile's solver resolves the
+     * impact.
      */
     @Test
     void aFlyerThatHitsAPileJoinsIt() {
@@ -130,7 +134,7 @@ class FlightTest {
         assertThat(air.storage.data.counters.impacts).isZero();
     }
 
-    /** A pile that moves is met where it is by then: at 1 m/s towards 2 m/s after ⅓ s. */
+    /** A pile in motion at 1 m/s meets a flyer at 2 m/s after ⅓ s. */
     @Test
     void aPileIsMetWhereItIsByThen() {
         air.add(Air.disc(3, -1, 1));
@@ -156,7 +160,9 @@ class FlightTest {
         assertThat(air.bodies.piled[0]).isTrue();
     }
 
-    /** It stops at ½ s, 1.5 m ahead of the next, which could only meet it ¼ s later. */
+    /**
+     * The first disc stops at ½ s, 1.5 m ahead of the next one, which could meet it only ¼ s later.
+     */
     @Test
     void whoFollowsALanderJoinsBeforeItMeetsIt() {
         air.add(Air.disc(0, 2, 0));
@@ -182,7 +188,7 @@ class FlightTest {
         assertThat(air.storage.data.counters.impacts).isZero();
     }
 
-    /** Between two walls it would bounce a hundred times: the pile's solver takes it over. */
+    /** It would rebound a hundred times between two walls, so the pile's solver takes over. */
     @Test
     void aPairThatMetTooOftenIsLeftToThePile() {
         Air few = bounceBetweenWalls(0.99);
@@ -191,7 +197,7 @@ class FlightTest {
         assertThat(few.pairs.impacts[few.pairOf(1, 2)]).isEqualTo(4);
     }
 
-    /** Where nothing is lost it waits at the wall, as fast as ever. */
+    /** At an elasticity of 1 it waits at the wall and keeps its speed. */
     @Test
     void aPairThatMetTooOftenWithoutLossWaits() {
         Air few = bounceBetweenWalls(1);
@@ -202,7 +208,7 @@ class FlightTest {
         assertThat(few.pairs.impacts[few.pairOf(1, 2)]).isEqualTo(4);
     }
 
-    /** A disc of 1 m flies 100 m/s in a gap that leaves it half a metre on either side. */
+    /** A disc of radius 1 m moves at 100 m/s in a gap that leaves half a metre on either side. */
     private static Air bounceBetweenWalls(double elasticity) {
         Air few = new Air(Accuracy.EXACT.withMaxImpactsPerPair(4));
         few.add(Air.wall(-1.5, -1));
@@ -212,7 +218,7 @@ class FlightTest {
         return few;
     }
 
-    /** Who comes after one that waits waits behind it: nobody passes through anybody. */
+    /** A body that comes after a waiting one waits behind it; nothing passes through. */
     @Test
     void whoComesAfterOneThatWaitsStaysBehindIt() {
         Air few = new Air(Accuracy.GAME.withMaxImpactsPerPair(4));
@@ -227,9 +233,9 @@ class FlightTest {
     }
 
     /**
-     * Two discs exchange their speeds after ½ s. The one comes upon so many pebbles that all that
-     * is kept of pairs has to grow; the other strikes a third disc 1 s later all the same. Two
-     * neighbours far away are the first pair.
+     * Two discs exchange their speeds after ½ s. One of them then meets many pebbles, so that all
+     * arrays by pair must grow; 1 s later the other one still strikes a third disc. Two neighbours
+     * far away form the first pair.
      */
     @Test
     void whatIsStruckIsNotForgottenWhilePairsGrow() {
@@ -250,9 +256,9 @@ class FlightTest {
     }
 
     /**
-     * Two of a pile close at 1 m/s and look 1 m round: the one comes upon pebbles, so that all that
-     * is kept of pairs has to grow, and then the other upon a disc that flies by. That is struck
-     * after ¼ s all the same.
+     * Two bodies of a pile close at 1 m/s and search 1 m round themselves. One finds pebbles, so
+     * that all arrays by pair must grow; then the other finds a disc that flies past and is struck
+     * after ¼ s.
      */
     @Test
     void whatIsFoundByLookingRoundIsStruckWhilePairsGrow() {
@@ -270,7 +276,7 @@ class FlightTest {
         assertThat(air.bodies.x[striker]).isEqualTo(6.8, within(PLACE));
     }
 
-    /** A disc beside a body of a pile that another strikes: within its reach it joins, else not. */
+    /** A disc beside a body of a pile that is struck joins if it is within that body's reach. */
     @ParameterizedTest
     @ValueSource(doubles = {0.2, 3.9})
     void whatTheStruckMayReachJoins(double gap) {
@@ -280,11 +286,11 @@ class FlightTest {
         air.pile(1);
         air.fly(0.5);
 
-        // From ¼ s on the struck one goes 2 m/s, and twice as fast at most where it is wedged: 1 m.
+        // From ¼ s on the struck body moves at 2 m/s, or twice as fast where it is wedged: 1 m.
         assertThat(air.bodies.piled[2]).isEqualTo(gap < 1);
     }
 
-    /** Elastic discs at random in space: energy and momentum to round-off, none in another. */
+    /** Elastic discs at random: energy and momentum are kept to round-off, and none overlap. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
     void aGasKeepsEnergyAndMomentum(long seed) {

@@ -12,9 +12,10 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
 /**
- * Discs that fly behind a column which a wall stops: discs 2 m wide that move at 0.2 m/s into a
- * wall are led off their paths by 0.1 m in half a second. In a column of eight, an impact at its
- * foot by itself disturbs its end by millimetres only, since each disc gets half of the one ahead.
+ * Discs that fly behind a column which a wall stops. The discs are 2 m wide and move at 0.2 m/s
+ * into the wall, so in half a second they are led off their paths by 0.1 m. In a column of eight,
+ * an impact at its foot disturbs its end by millimetres only, since each disc gets half of the
+ * reach of the one ahead.
  */
 class FollowersTest {
 
@@ -22,7 +23,7 @@ class FollowersTest {
 
     private static final int COLUMN = 8;
 
-    /** Where the column of eight ends, m. */
+    /** End of the column of eight, m. */
     private static final double END = 2 * COLUMN - 1;
 
     private final Air air = new Air(Accuracy.GAME);
@@ -42,7 +43,7 @@ class FollowersTest {
         return slot;
     }
 
-    /** Puts up the column; returns its end. */
+    /** Adds the column; returns its last disc. */
     private int column(double velocityX) {
         int last = 0;
         for (int i = 0; i < COLUMN; i++) {
@@ -51,7 +52,7 @@ class FollowersTest {
         return last;
     }
 
-    /** It would never meet the disc ahead of it, which goes as fast, but for the wall. */
+    /** The flyer is as fast as the disc ahead of it, so only the wall makes them meet. */
     @ParameterizedTest
     @CsvSource({"0.02, true", "0.08, true", "0.12, false", "0.5, false"})
     void whatAColumnCouldBeLedIntoJoins(double gap, boolean joins) {
@@ -60,7 +61,6 @@ class FollowersTest {
         requireJoined(joins, disc(END + 1 + gap, -0.2));
     }
 
-    /** To the other side. */
     @ParameterizedTest
     @CsvSource({"0.02, true", "0.08, true", "0.12, false", "0.5, false"})
     void andSoDoesItsMirrorImage(double gap, boolean joins) {
@@ -80,7 +80,7 @@ class FollowersTest {
         requireJoined(joins, disc(END + 1, -speed));
     }
 
-    /** It falls by 0.125 m in the step, and the column does not. */
+    /** The flyer falls by 0.125 m in the step, and the column does not. */
     @ParameterizedTest
     @CsvSource({"0.2, true", "0.24, false"})
     void whatFallsIntoTheColumnJoins(double gap, boolean joins) {
@@ -99,7 +99,7 @@ class FollowersTest {
         }
     }
 
-    /** What joins may be led into the next one. */
+    /** A flyer that joins may be led into the next one. */
     @Test
     void oneFollowerBringsTheNext() {
         air.add(Air.wall(-1, -1));
@@ -117,7 +117,6 @@ class FollowersTest {
         assertThat(air.bodies.piled[last]).isFalse();
     }
 
-    /** Nothing stops a column that falls freely. */
     @Test
     void columnThatIsNotStoppedLeadsNobodyOff() {
         column(-0.2);
@@ -127,7 +126,7 @@ class FollowersTest {
         assertThat(air.bodies.piled[follower]).isFalse();
     }
 
-    /** A wall that comes along at their speed does not close in on them. */
+    /** A wall that moves at the bodies' speed does not close in on them. */
     @Test
     void frameOfReferenceDoesNotMatter() {
         air.add(
@@ -142,9 +141,7 @@ class FollowersTest {
         assertThat(air.bodies.piled[follower]).isFalse();
     }
 
-    /**
-     * Two columns that a step leads into each other get a contact, though they are 0.05 m apart.
-     */
+    /** Two columns that close within the step get a contact, though they are 0.05 m apart. */
     @Test
     void bodiesOfPilesWithinReachGetAContact() {
         air.add(Air.wall(-1, -1));

@@ -15,7 +15,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
 
-/** The order in which impacts come, against a list that is sorted. */
+/** The order of predicted impacts, compared with a sorted list. */
 class ImpactQueueTest {
 
     private static final int PAIRS = 60;
@@ -23,7 +23,7 @@ class ImpactQueueTest {
     private final Pairs pairs = new Pairs(Effects.of());
     private final ImpactQueue queue = new ImpactQueue(pairs);
 
-    /** Pair p is of the bodies p mod 7 and 10 + p: none has the bodies of another. */
+    /** Pair p has the bodies p mod 7 and 10 + p, so no two pairs have the same bodies. */
     @BeforeEach
     void nameBodies() {
         for (int pair = 0; pair < PAIRS; pair++) {
@@ -39,7 +39,7 @@ class ImpactQueueTest {
         return first;
     }
 
-    /** Times are of few values, so that many are equal. */
+    /** Times have few values, so that many are equal. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
     void comesInTheOrderOfTimeThenOfBodies(long seed) {

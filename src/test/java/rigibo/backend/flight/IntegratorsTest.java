@@ -10,11 +10,12 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.setup.Integrator;
 
-/** Each method of integrating a path, against closed forms and by its order. */
+/** Each method that integrates a path, compared with closed forms and with its order. */
 class IntegratorsTest {
 
     /**
-     * x = x₀ + v₀t + jt³/6, v = v₀ + jt²/2: what grows with time is exact for a method of order 4.
+     * Under a force that grows with time a method of order 4 is exact: x = x₀ + v₀t + jt³/6, v = v₀
+     * + jt²/2.
      */
     @ParameterizedTest
     @EnumSource(
@@ -32,7 +33,10 @@ class IntegratorsTest {
         assertThat(thrown.bodies.velocityY[0]).isEqualTo(4 - 6, within(1e-13));
     }
 
-    /** What is steady is exact with every method but symplectic Euler, which is a·h·t/2 ahead. */
+    /**
+     * Under a constant acceleration all methods are exact, except symplectic Euler, which is
+     * a·h·t/2 ahead.
+     */
     @ParameterizedTest
     @EnumSource(Integrator.class)
     void aSteadyPullIsAParabola(Integrator method) {
@@ -46,7 +50,10 @@ class IntegratorsTest {
         assertThat(thrown.bodies.velocityY[0]).isEqualTo(0, within(1e-14));
     }
 
-    /** Under drag and a steady pull the exponential solution, which nothing is added to. */
+    /**
+     * Under drag and a constant acceleration the exponential solution is exact; nothing is
+     * integrated.
+     */
     @Test
     void ballisticIsExactUnderDrag() {
         Thrown thrown = new Thrown(Thrown.by(Integrator.BALLISTIC), 2, at -> at.accelerate(0, 0));
@@ -59,7 +66,10 @@ class IntegratorsTest {
         assertThat(thrown.bodies.velocityY[0]).isEqualTo(-4 + 8 * Math.exp(-1), within(1e-14));
     }
 
-    /** A spring ω = 2 with drag k: a damped oscillation about a place that a steady pull moves. */
+    /**
+     * Error for a spring with ω = 2 and drag k: a damped oscillation about a place that a constant
+     * acceleration moves.
+     */
     private static double error(Integrator method, double drag, int steps) {
         Thrown thrown =
                 new Thrown(Thrown.by(method), drag, at -> at.accelerate(-4 * at.x, -4 * at.y));
@@ -79,7 +89,7 @@ class IntegratorsTest {
                 + Math.hypot(thrown.bodies.velocityX[0] - vx, thrown.bodies.velocityY[0] - vy);
     }
 
-    /** p = log₂(error(h)/error(h/2)), within what the next term adds at h = 1/50 s. */
+    /** p = log₂(error(h)/error(h/2)), up to the effect of the next term at h = 1/50 s. */
     @ParameterizedTest(name = "{0} with drag {1} is of order {2}")
     @CsvSource({
         "EULER, 0, 1", "EULER, 1, 1", "VERLET, 0, 2", "VERLET, 1, 2",
@@ -94,8 +104,8 @@ class IntegratorsTest {
     }
 
     /**
-     * With kh = 3 the simple methods take their step all the same. Euler: v(1 − kh), and on with
-     * that; Verlet: on with v − kvh/2, and the mean of −kv and −k(v − kvh).
+     * With kh = 3 the simple methods still take one step. Euler gives v(1 − kh) and moves at that
+     * velocity; Verlet moves at v − kvh/2 and takes the mean of −kv and −k(v − kvh).
      */
     @ParameterizedTest
     @CsvSource({"EULER, -2, -2", "VERLET, 2.5, -0.5"})
@@ -113,7 +123,9 @@ class IntegratorsTest {
         assertThat(thrown.bodies.velocityY[0]).isEqualTo(4 * speed, within(1e-13));
     }
 
-    /** In a spring of 4/s² Euler takes the pull at the start, Verlet the mean of both ends. */
+    /**
+     * In a spring of 4/s² Euler takes the acceleration at the start, Verlet the mean of both ends.
+     */
     @ParameterizedTest
     @CsvSource({"EULER, 1, 0", "VERLET, 0.5, 0.5"})
     void theSimpleMethodsTakeTheMeanOfTheirPulls(Integrator method, double atStart, double atEnd) {

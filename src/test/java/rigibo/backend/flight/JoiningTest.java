@@ -15,8 +15,8 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
 /**
- * Who joins a pile, and when: discs of 1 m on a line, of which what is struck may get as far as
- * twice its speed leads in what is left of the step.
+ * Which flyers join a pile, and when. Discs of radius 1 m lie on a line; a struck disc may get as
+ * far as twice its speed takes it in the rest of the step.
  */
 class JoiningTest {
 
@@ -42,8 +42,8 @@ class JoiningTest {
     }
 
     /**
-     * Two of a pile touch and close at 1 m/s: in ½ s they may get 1 m, to either side. So far off
-     * at rest a disc is only found by looking round.
+     * Two discs of a pile touch and close at 1 m/s: in ½ s they may get 1 m to either side. Only a
+     * search finds a disc at rest at that distance.
      */
     @ParameterizedTest
     @CsvSource({"0.99, true", "1.01, false"})
@@ -69,7 +69,7 @@ class JoiningTest {
         requireJoined(false, right, 0);
     }
 
-    /** It would not meet the others of the pile, and they are at rest. */
+    /** The flyer would not meet the other bodies of the pile, which are at rest. */
     @Test
     void whatRestsDisturbsNobody() {
         piled(0, 0);
@@ -80,7 +80,10 @@ class JoiningTest {
         requireJoined(false, right, 0);
     }
 
-    /** The slower of two that strike gets as far, though nothing else would disturb it. */
+    /**
+     * The slower of two bodies in an impact gets the same reach, though nothing else would disturb
+     * it.
+     */
     @ParameterizedTest
     @CsvSource({"0.99, true, true", "1.01, false, true", "0.99, true, false", "1.01, false, false"})
     void whoIsStruckAtRestDisturbsToo(double gap, boolean joins, boolean isFirst) {
@@ -96,7 +99,8 @@ class JoiningTest {
     }
 
     /**
-     * A wall that is struck gets nowhere: who is beside it, but not beside the striker, flies on.
+     * A struck wall does not move, so a flyer beside it, but not beside the striking body, flies
+     * on.
      */
     @Test
     void whoIsBesideAStruckWallFliesOn() {
@@ -108,7 +112,7 @@ class JoiningTest {
         requireJoined(false, along, 0);
     }
 
-    /** One that is reached over 0.3 m pushes on by the 0.7 m that are left, and what touches. */
+    /** A body reached over 0.3 m hands on the remaining 0.7 m to what touches it. */
     @ParameterizedTest
     @CsvSource({"0.70, true", "0.71, false"})
     void whoIsReachedPushesOnByWhatIsLeft(double gap, boolean joins) {
@@ -126,9 +130,9 @@ class JoiningTest {
     }
 
     /**
-     * A fast one joins for a slow neighbour's sake, half a metre on, and strikes a third 5 m ahead
-     * all the same: at 20 m/s for ½ s that reaches 20 m, from the start of the step on. Whoever of
-     * them is listed first.
+     * A fast flyer joins because of a slow neighbour half a metre away, and also strikes a third
+     * body 5 m ahead. At 20 m/s for ½ s its reach is 20 m from the start of the step. The order of
+     * the bodies does not matter.
      */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
@@ -153,8 +157,8 @@ class JoiningTest {
     }
 
     /**
-     * After ¼ s the struck one finds a fast one that flies past, 0.4 m off: it joins, and strikes
-     * one 3 m ahead. In the ¼ s that is left 20 m/s reach 10 m.
+     * After ¼ s the struck body finds a fast flyer that passes at 0.4 m. That one joins and strikes
+     * a body 3 m ahead; in the remaining ¼ s its 20 m/s reach 10 m.
      */
     @ParameterizedTest
     @CsvSource({"9, true", "11, false"})
@@ -171,8 +175,8 @@ class JoiningTest {
     }
 
     /**
-     * The first of two of a pile is thrown back by a wall at 10 m/s: it gets 1 m at most in 1/20 s,
-     * and hands all of that on to its like, whether that comes along or rests.
+     * A wall throws back the first of two bodies of a pile at 10 m/s: it gets 1 m at most in 1/20
+     * s. It hands all of that to the second, whether that moves along or rests.
      */
     @ParameterizedTest(name = "at {0} m/s with a gap of {1} m: {2}")
     @CsvSource({"10, 0.3, true", "0, 0.3, true", "0, 0.99, true", "0, 1.01, false"})
@@ -187,7 +191,7 @@ class JoiningTest {
         requireJoined(joins, behind, 0);
     }
 
-    /** From ¼ s on the struck one goes 2 m/s, and twice as fast at most where it is wedged: 1 m. */
+    /** From ¼ s on the struck body moves at 2 m/s, or twice as fast where it is wedged: 1 m. */
     @ParameterizedTest
     @CsvSource({"0.99, true", "1.01, false"})
     void whoIsBesideTheStruckJoinsWhereItIsByThen(double gap, boolean joins) {
@@ -207,7 +211,9 @@ class JoiningTest {
         }
     }
 
-    /** A heavy one in a pile hardly moves, but what strikes it comes back: 1 m at most. */
+    /**
+     * A heavy body of a pile hardly moves, but the body that strikes it comes back by 1 m at most.
+     */
     @ParameterizedTest
     @CsvSource({"0.99, true", "1.01, false"})
     void whoIsBehindTheStrikerJoinsToo(double gap, boolean joins) {
@@ -226,7 +232,7 @@ class JoiningTest {
         requireJoined(joins, behind, 0.25);
     }
 
-    /** What is so slow that it could reach nobody joins all the same what it hits. */
+    /** A body too slow to reach any other still joins the pile that it hits. */
     @Test
     void theSlowJoinToo() {
         int slow = disc(0, 1e-5);
@@ -238,7 +244,7 @@ class JoiningTest {
         requireJoined(false, beside, 0);
     }
 
-    /** It meets two of a pile at once, from between: by the first of them it has joined. */
+    /** The flyer meets two bodies of a pile at once, from between them; it joins at the first. */
     @Test
     void whoMeetsTwoAtOnceJoinsOnce() {
         int flyer = disc(0, 2);
@@ -252,7 +258,7 @@ class JoiningTest {
         assertThat(first + air.pairs.impacts[air.pairOf(flyer, 2)]).isEqualTo(1);
     }
 
-    /** The manifolds of what joined are of where both are by then. */
+    /** Manifolds of bodies that joined are measured at their present poses. */
     @Test
     void contactsOfTheJoinedAreMeasuredAnew() {
         int flyer = disc(0, 2);
@@ -270,8 +276,7 @@ class JoiningTest {
 
     /**
      * On the floor at 1 m/s with e = ½ and g = 10 its bounces take 0.2 s, and it slides on
-     * meanwhile. What strikes it after 0.1 s finds it where it is by then, at the end of its
-     * flight.
+     * meanwhile. A body that strikes it after 0.1 s meets it there, at the end of its flight.
      */
     @Test
     void whatIsStruckBeforeItsBouncesEndRestsThen() {
@@ -286,7 +291,7 @@ class JoiningTest {
         assertThat(air.bodies.x[lander]).isEqualTo(0.1, within(1e-6));
     }
 
-    /** A sleeper is struck by nothing of the pile: it disturbs nobody until it wakes. */
+    /** Nothing of the pile strikes a sleeping body, so it disturbs no other until it wakes. */
     @Test
     void sleepersDisturbNobody() {
         int sleeper = disc(0, 0);
@@ -301,7 +306,8 @@ class JoiningTest {
     }
 
     /**
-     * The middle of three is the first of its pairs, or the second: struck at once all the same.
+     * The middle one of three is the first or the second body of its pairs; both impacts are
+     * simultaneous.
      */
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
@@ -321,7 +327,8 @@ class JoiningTest {
     }
 
     /**
-     * A row in which each comes up to the next at once is struck at once, and grows as it shrank.
+     * A row in which each body reaches the next at the same time is struck at once, and grows as it
+     * shrank.
      */
     @Test
     void aRowThatShrinksGrowsAgain() {
@@ -334,12 +341,14 @@ class JoiningTest {
         assertThat(rough.storage.data.counters.impacts).isEqualTo(19);
         for (int i = 0; i < 20; i++) {
             double mean = -0.1 * 9.5;
-            // What 300 passes over such a row leave.
+            // Left by 300 passes over such a row.
             assertThat(rough.bodies.velocityX[i]).isEqualTo(2 * mean + 0.1 * i, within(0.01));
         }
     }
 
-    /** A tie is a thousandth of the tolerance at 1 m/s, and 10⁻⁴ s is a hundred of them. */
+    /**
+     * Simultaneous means a thousandth of the tolerance at 1 m/s; 10⁻⁴ s is a hundred times that.
+     */
     @Test
     void whatIsAHundredTiesApartIsStruckOneByOne() {
         Air rough = new Air(Accuracy.EXACT.withImpactTolerance(1e-3));
@@ -352,7 +361,7 @@ class JoiningTest {
         assertThat(rough.bodies.velocityX).startsWith(new double[] {0, 2, -2}, within(1e-12));
     }
 
-    /** Each step is by itself: the same flight, with more bodies than at first. */
+    /** A step leaves nothing behind: the same flight again, with more bodies than at first. */
     @Test
     void aStepLeavesNothingToTheNext() {
         int first = disc(0, 2);

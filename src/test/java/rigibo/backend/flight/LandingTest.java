@@ -13,10 +13,10 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
-/** What a body that lands within a step does to those beside it and behind it. */
+/** The effect of a body that lands within a step on those beside and behind it. */
 class LandingTest {
 
-    /** m and s: impacts are taken up to a nanometre before touching. */
+    /** Impacts are resolved up to a nanometre before contact, m and s. */
     private static final double PLACE = 2e-8;
 
     private final Air air = new Air(Accuracy.EXACT);
@@ -26,7 +26,7 @@ class LandingTest {
         assertThat(air.bodies.pileTime[slot]).isEqualTo(time, within(PLACE));
     }
 
-    /** A disc of 1 m in a pile that hardly gives way to one of 1 kg. */
+    /** A disc in a pile that hardly gives way to a body of 1 kg. */
     private int heavy(double x, double velocityX, double elasticity) {
         int slot =
                 air.add(
@@ -40,9 +40,9 @@ class LandingTest {
     }
 
     /**
-     * Too slow to reach anybody it turns round after 0.1 s at 10⁻⁵ m, and 0.4 m behind it another
-     * comes at 2 m/s. They meet where 2·t − 0.4 = 10⁻⁵ − 10⁻⁴·(t − 0.1), and would 2·10⁻⁵ s later
-     * if it went on.
+     * Too slow to reach any other, a disc turns round after 0.1 s at 10⁻⁵ m; another one follows
+     * 0.4 m behind at 2 m/s. They meet where 2·t − 0.4 = 10⁻⁵ − 10⁻⁴·(t − 0.1), and would meet
+     * 2·10⁻⁵ s later if it went on.
      */
     @Test
     void whoFollowsMeetsTheReboundThatIsExpected() {
@@ -56,8 +56,8 @@ class LandingTest {
     }
 
     /**
-     * A pile that comes at 4 m/s strikes after ¼ s what is at rest, and goes on as fast, on the
-     * path that was predicted. What is struck leaves its own: twice 1 m in the ¼ s that is left.
+     * After ¼ s a pile that comes at 4 m/s strikes a flyer at rest, and goes on on its predicted
+     * path. The flyer leaves its own by twice 1 m in the remaining ¼ s.
      */
     @ParameterizedTest
     @CsvSource({"1.9, true", "2.1, false"})
@@ -72,7 +72,8 @@ class LandingTest {
     }
 
     /**
-     * It comes on at 1 m/s: 0.1 m in the tenth of a second that is left when the slow one lands.
+     * The body comes on at 1 m/s: 0.1 m in the tenth of a second that is left when the slow one
+     * lands.
      */
     @ParameterizedTest
     @CsvSource({"0.101, 1", "0.103, 0"})
@@ -88,10 +89,10 @@ class LandingTest {
     }
 
     /**
-     * A box aslant strikes a floor with a corner at −a beside its middle and without elasticity: j
-     * = v/(1 + a²/I), on at j − v and ω = −a·j/I, by which its corners go √2·ω beside that. It may
-     * get twice as far as that leads in the ⅛ s that is left; what flies is reached from as far
-     * again as speeds lead in the ¼ s of the step.
+     * A tilted box strikes a floor at an elasticity of 0 with a corner at −a from its centre: j =
+     * v/(1 + a²/I). It goes on at j − v and ω = −a·j/I, which adds √2·ω at its corners. In the
+     * remaining ⅛ s it may get twice as far as these speeds take it; a flyer is also reached from
+     * as far as speeds take it in the ¼ s of the step.
      */
     @ParameterizedTest
     @CsvSource({"0.99, true", "1.01, false"})
@@ -105,14 +106,14 @@ class LandingTest {
                                 .angle(Math.asin(sin))
                                 .at(0, sin + cos + 2 * 0.125)
                                 .velocity(0, -2));
-        // What presses ends its bounces, but is too little to tell in the rest.
+        // The pressing acceleration ends its bounces, but is too small to show in other figures.
         air.bodies.accelerationY[box] = -1e-7;
         double inertia = 2 / 3.0;
         double impulse = 2 / (1 + (cos - sin) * (cos - sin) / inertia);
         double spin = (cos - sin) * impulse / inertia;
         double speeds = 2 - impulse + spin * Math.sqrt(2);
         double gap = share * (2 * speeds * 0.125 + speeds * 0.25);
-        // Off its upper right corner, which is cos − sin beside its middle, by (0.8, 0.6) m per m.
+        // At (0.8, 0.6) m per m from its upper right corner, which is cos − sin beside its centre.
         int beside =
                 air.add(
                         Air.body(new Circle(1), 0)

@@ -5,7 +5,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
-/** Impacts of one instant of a step, without the flight that leads to it. */
+/** Simultaneous impacts at one time of a step, without the flight that leads to them. */
 final class OneInstant {
 
     final Air air = new Air(Accuracy.GAME);
@@ -13,7 +13,7 @@ final class OneInstant {
     final FlightImpacts impacts =
             new FlightImpacts(air.storage.data, air.narrowphase, Accuracy.GAME, paths, null);
 
-    /** A floor with its top at y = 0 in slot 0. */
+    /** Adds a floor with its top at y = 0, in slot 0. */
     void layFloor(double elasticity) {
         air.add(
                 BodyDefinition.fixed(Polygon.box(20, 1))
@@ -28,7 +28,7 @@ final class OneInstant {
         impacts.reserve(air.pairs.bodyA.length);
     }
 
-    /** Strikes pairs at once, at a time in s within a step of dt seconds. */
+    /** Resolves the impacts of pairs at a time in s within a step of dt seconds. */
     void strike(double time, double dt, int... pairs) {
         impacts.strike(pairs, pairs.length, pairs[0], time, dt);
     }

@@ -16,7 +16,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.backend.storage.Bodies;
 
-/** Flight through everything, and free flight, by the formulas of school. */
+/** Flight in pools without contacts, and free flight, compared with textbook formulas. */
 class OpenFlightTest {
 
     private static final double ROUND_OFF = 1e-14;
@@ -33,7 +33,7 @@ class OpenFlightTest {
         return body.at(1, 2).velocity(3, 4);
     }
 
-    /** A dynamic disc, a driven and a fixed one, all pulled. */
+    /** Adds a dynamic, a driven and a fixed disc, all under an acceleration. */
     private static FilledStorage three(FilledStorage storage) {
         storage.add(thrown(BodyDefinition.dynamic(new Circle(1))).spin(5));
         storage.add(thrown(BodyDefinition.kinematic(new Circle(1))).spin(5));
@@ -52,7 +52,8 @@ class OpenFlightTest {
     }
 
     /**
-     * θ = ωt + ½αt² for each of the two by itself, and for a second as for less, in either flight.
+     * θ = ωt + ½αt² for each term by itself, at steps of a second and less, in both kinds of
+     * flight.
      */
     @ParameterizedTest
     @CsvSource({"1, 0, 0.5", "0, 1, 0.5", "2, 0, 1", "1, 1, 1", "0, 0, 1"})
@@ -127,7 +128,7 @@ class OpenFlightTest {
         assertThat(bodies.x[1]).isEqualTo(1);
     }
 
-    /** Free flight leaves piles to their solver. */
+    /** Free flight leaves bodies of piles to their solver. */
     @Test
     void freeFlightMovesFlyersOnly() {
         FilledStorage storage = three(new FilledStorage(new Contacts(), new Rotation()));

@@ -14,7 +14,7 @@ import rigibo.backend.setup.Integrator;
 
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** How many substeps a path takes, by how stiff its forces are. */
+/** The number of substeps of a path, by the stiffness of its forces. */
 class SubstepsTest {
 
     @ParameterizedTest
@@ -35,9 +35,9 @@ class SubstepsTest {
     }
 
     /**
-     * A drag of 400/s taken by a field, over ¼ s: one step of an explicit method would overshoot a
-     * hundredfold. In substeps it comes to rest v/k further, within the thousandth that their h
-     * leaves.
+     * A field's drag of 400/s over ¼ s: one step of an explicit method would overshoot a
+     * hundredfold. In substeps the body stops v/k farther on, within a thousandth, the error of
+     * their h.
      */
     @ParameterizedTest
     @EnumSource(
@@ -57,7 +57,7 @@ class SubstepsTest {
         assertThat(Math.abs(thrown.bodies.velocityY[0])).isLessThan(1e-3);
     }
 
-    /** 10⁷/s is too stiff for any substep: it brakes, and never throws back. */
+    /** A drag of 10⁷/s is too stiff for any substep: it stops the body and never throws it back. */
     @Test
     void whatIsTooStiffBrakesWithoutOvershooting() {
         Thrown thrown =
@@ -67,14 +67,17 @@ class SubstepsTest {
                         at -> at.accelerate(-1e7 * at.velocityX, -1e7 * at.velocityY));
         thrown.step(0.25, 0, 0);
 
-        // The first substep undoes all of the velocity, and no more.
+        // The first substep takes all of the velocity, and no more.
         assertThat(thrown.bodies.x[0]).isEqualTo(1, within(1e-9));
         assertThat(thrown.bodies.y[0]).isEqualTo(2, within(1e-9));
         assertThat(thrown.bodies.velocityX[0]).isEqualTo(0, within(1e-6));
         assertThat(thrown.bodies.velocityY[0]).isEqualTo(0, within(1e-6));
     }
 
-    /** Of 1024 at most each looks three times on its way, and twice where it starts or brakes. */
+    /**
+     * At most 1024 substeps: each evaluates the field three times on its way, and twice where it
+     * starts or brakes.
+     */
     @Test
     void whatIsTooStiffTakesNoMoreThan1024Substeps() {
         int looks =
@@ -86,7 +89,8 @@ class SubstepsTest {
     }
 
     /**
-     * A medium that gains 4 m/s² takes along what is too stiff for any substep h, but for 2·4·h.
+     * A medium accelerates by 4 m/s². A body with a drag too stiff for any substep h keeps up with
+     * it, within 2·4·h.
      */
     @Test
     void whatIsTooStiffKeepsUpWithWhatCarriesIt() {
@@ -96,8 +100,9 @@ class SubstepsTest {
     }
 
     /**
-     * A medium goes along with it, until after two substeps h it jumps from 3 to 13 m/s. As fast as
-     * ten times over in each substep it takes the body along, from where it is found to jump.
+     * A medium moves along with the body, until after two substeps h it jumps from 3 to 13 m/s. It
+     * carries the body along with the force of a drag ten times over in each substep, from the
+     * place where the jump is found.
      */
     @Test
     void whatIsTooStiffIsTakenAlongAtOnce() {
@@ -113,7 +118,7 @@ class SubstepsTest {
         assertThat(thrown.bodies.velocityX[0]).isEqualTo(13, within(1e-9));
     }
 
-    /** At its balance against a spring of 400/s² it is braked to −400·x/10⁷ m/s, for ¼ s. */
+    /** In equilibrium with a spring of 400/s² it is braked to −400·x/10⁷ m/s, for ¼ s. */
     @Test
     void whatIsTooStiffIsBrakedWhereItIs() {
         Thrown thrown = thrownInto(at -> at.accelerate(-1e7 * at.velocityX - 400 * at.x, 0));
@@ -122,8 +127,8 @@ class SubstepsTest {
     }
 
     /**
-     * For one substep of h = ¼ s/1024 it gains twice its speed per h, too fast for any substep.
-     * That is no drag to brake: it goes on thrice as fast.
+     * For one substep of h = ¼ s/1024 a force gains twice the body's speed per h, too stiff for any
+     * substep. It is no drag, so nothing brakes: the body goes on three times as fast.
      */
     @Test
     void whatIsDrivenTooFastIsNotBraked() {
@@ -141,14 +146,14 @@ class SubstepsTest {
         assertThat(thrown.bodies.y[0]).isEqualTo(2 + 3 * 4 * 0.25, within(1e-12));
     }
 
-    /** For a quarter of a second into a field too stiff for any substep. */
+    /** A body thrown for a quarter of a second into a field too stiff for any substep. */
     private static Thrown thrownInto(FieldFunction field) {
         Thrown thrown = new Thrown(Thrown.by(Integrator.RK4), 0, field);
         thrown.step(0.25, 0, 0);
         return thrown;
     }
 
-    /** How often the field is asked in a step of ½ s from (1, 2) at (3, 4) m/s. */
+    /** Number of evaluations of the field in a step of ½ s from (1, 2) at (3, 4) m/s. */
     private static int looks(Accuracy accuracy, FieldFunction field) {
         AtomicInteger looks = new AtomicInteger();
         FieldFunction counted =
@@ -161,8 +166,9 @@ class SubstepsTest {
     }
 
     /**
-     * The start and a thousandth ahead, to see how stiff it is; then for each of n substeps three
-     * looks more, and for each but the first one where it starts. A drag with k·T = 9.5 takes ten.
+     * One evaluation at the start and one a thousandth ahead measure the stiffness. Each of n
+     * substeps takes three more, and each but the first one at its start. A drag with k·T = 9.5
+     * takes ten substeps.
      */
     @ParameterizedTest
     @CsvSource({"1.9, 1, 1", "19, 1, 10", "19, 16, 16", "0, 3, 3"})
@@ -173,7 +179,7 @@ class SubstepsTest {
         assertThat(looks).isEqualTo(2 + 3 * substeps + (substeps - 1));
     }
 
-    /** A drag of 19/s near its balance is as stiff as it is far from it. */
+    /** A drag of 19/s is as stiff near its equilibrium as far from it. */
     @Test
     void nearItsBalanceADragIsAsStiff() {
         int looks =
@@ -187,9 +193,9 @@ class SubstepsTest {
     }
 
     /**
-     * A spring of ω that starts where its pull does not change to first order, with ωT = 3: the
-     * looks at the middle differ by (ωh/2)², more than a quarter for one substep and for two. What
-     * began is begun anew with four.
+     * A spring with ωT = 3 starts where its force does not change to first order. The evaluations
+     * at the middle differ by (ωh/2)², which is more than a quarter with one substep and with two.
+     * The path is integrated again with four.
      */
     @Test
     void aSpringTakesTwiceAsManyUntilTheMiddlesAgree() {

@@ -16,8 +16,8 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.JointKind;
 
 /**
- * How far joints may lead the boxes of a chain: 1 kg each, 0.1 m high and 0.8 m long, hinged at the
- * ends of what they are joined to.
+ * How far joints may lead the boxes of a chain off their paths. Each box has 1 kg, is 0.1 m high
+ * and 0.8 m long, and is hinged at the ends of its neighbours.
  */
 class SwayTest {
 
@@ -54,7 +54,7 @@ class SwayTest {
         return sway.reach(box[i], DT);
     }
 
-    /** A force F at the end of a bar makes its other end F/m + F·l·r/I fast. */
+    /** A force F at the end of a bar gives its other end the acceleration F/m + F·l·r/I. */
     @Test
     void followsFromWhatJointsDidInTheLastStep() {
         storage.bodies.velocityY[box[1]] = 100;
@@ -64,7 +64,7 @@ class SwayTest {
         assertThat(reach(0)).isCloseTo(2 * (3 + turning) * DT * DT / 2, within(1e-12));
     }
 
-    /** What gravity does is undone by what holds against it. */
+    /** The joints' forces balance gravity. */
     @Test
     void isNothingInAChainAtRest() {
         storage.bodies.velocityY[box[1]] = 100;
@@ -85,7 +85,7 @@ class SwayTest {
         assertThat(reach(4)).isZero();
     }
 
-    /** A row that is as long as its span carries any force without going anywhere. */
+    /** A chain as long as its span carries any force without moving. */
     @Test
     void isNoFartherThanBodiesNearbyMoveAgainstEachOther() {
         storage.data.joints.reactionY[joint[0]] = 1e6;

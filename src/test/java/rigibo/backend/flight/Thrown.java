@@ -14,7 +14,7 @@ import rigibo.backend.setup.Integrator;
 import rigibo.backend.setup.Material;
 import rigibo.backend.storage.Bodies;
 
-/** A disc of 1 kg that flies through fields, without the rest of a step. */
+/** A disc of 1 kg that flies through fields, without the other stages of a step. */
 final class Thrown {
 
     final FilledStorage storage;
@@ -49,7 +49,7 @@ final class Thrown {
         flight = new OpenFlight(storage.data, course);
     }
 
-    /** As the stages of a step do, under steady accelerations beside the fields. */
+    /** Makes a step as the stages do, under constant accelerations besides the fields. */
     void step(double dt, double ax, double ay) {
         for (int slot = 0; slot < bodies.slots.high; slot++) {
             bodies.accelerationX[slot] = ax;
@@ -60,7 +60,7 @@ final class Thrown {
         storage.data.time += dt;
     }
 
-    /** The accuracy of one substep a step by a method. */
+    /** The accuracy of a method with one substep a step. */
     static Accuracy by(Integrator method) {
         return Accuracy.DRAFT.withIntegrator(method);
     }

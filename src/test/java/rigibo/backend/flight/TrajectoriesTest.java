@@ -18,7 +18,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 import rigibo.backend.storage.Bodies;
 
-/** Ways within a step: parabolas, exponentials under drag, and straight lines out of flight. */
+/** Paths within a step: parabolas, exponentials under drag, and straight lines outside flight. */
 class TrajectoriesTest {
 
     /** Sums of a few terms of the order of 10. */
@@ -29,7 +29,10 @@ class TrajectoriesTest {
     private final Trajectories paths = new Trajectories(bodies);
     private final Motion motion = new Motion();
 
-    /** From (1, 2) at (3, 4) m/s under (½, −8) m/s²; turned by 0.1, 5 rad/s, 6 rad/s². */
+    /**
+     * Throws a disc from (1, 2) at (3, 4) m/s under (½, −8) m/s², with angle 0.1, 5 rad/s and 6
+     * rad/s².
+     */
     @BeforeEach
     void throwOne() {
         storage.add(
@@ -75,7 +78,7 @@ class TrajectoriesTest {
         assertThat(paths.since(0)).isEqualTo(0.5);
     }
 
-    /** In two goes, and none for no time. */
+    /** Two advances, and one of no time. */
     @Test
     void goesOnFromWhereItsColumnsAre() {
         paths.advance(0, 0.25);
@@ -110,7 +113,7 @@ class TrajectoriesTest {
         assertThat(pose.sin).isEqualTo(bodies.sin[0], within(ROUND_OFF));
     }
 
-    /** Of angular acceleration alone, too. */
+    /** An angular acceleration alone also turns a body. */
     @Test
     void beginsToTurnFromRest() {
         bodies.spin[0] = 0;
@@ -187,7 +190,7 @@ class TrajectoriesTest {
         assertThat(bodies.velocityX[0]).as("the pile's solver sees to it").isEqualTo(3);
     }
 
-    /** Whatever speed it has, and whatever pulls at it; the next step it goes on. */
+    /** It waits at any speed and acceleration, and goes on in the next step. */
     @Test
     void whatStandsWaitsForTheNextStep() {
         paths.advance(0, 0.25);
@@ -212,7 +215,9 @@ class TrajectoriesTest {
         assertThat(paths.stands(0)).isFalse();
     }
 
-    /** It was to rest at ½ s, where its columns are; at ¼ s it was ¼ s of its velocity before. */
+    /**
+     * The body was to rest at ½ s, where its columns are; at ¼ s it was ¼ s of its velocity before.
+     */
     @Test
     void landsEarlierWhereItWasThen() {
         paths.land(0, 0.5);
@@ -238,7 +243,7 @@ class TrajectoriesTest {
         assertThat(paths.hasLanded(0)).isFalse();
     }
 
-    /** What is part of a pile goes on as it does, from its own time on. */
+    /** A body of a pile goes on at its velocity, from its own time on. */
     @Test
     void aPileIsPredictedByItsVelocity() {
         bodies.piled[0] = true;
@@ -277,7 +282,7 @@ class TrajectoriesTest {
         assertThat(motion.spinAt(0.5)).isEqualTo(9);
     }
 
-    /** More bodies than there was room for at first. */
+    /** There are more bodies than the first capacity. */
     @Test
     void eachOfManyBodiesHasItsOwnTime() {
         for (int i = 1; i < 40; i++) {

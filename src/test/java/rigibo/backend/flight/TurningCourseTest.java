@@ -28,8 +28,9 @@ import rigibo.backend.storage.Bodies;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * How forces that change along the way turn bodies. A disc of 1 m deep under water of 1 kg/m² is
- * slowed by d·J of its spin and d·A of its velocity, A = π and J = π/2; a box that floats rocks.
+ * The turning of bodies by forces that vary along the path. In water of 1 kg/m² a submerged disc of
+ * radius 1 m loses d·J of its spin and d·A of its velocity, with A = π and J = π/2; a floating box
+ * rocks.
  */
 class TurningCourseTest {
 
@@ -37,7 +38,7 @@ class TurningCourseTest {
     private static final double INERTIA = 2;
     private static final double MASS = 4;
 
-    /** A drag such that ω' = α − κ·ω with this κ, in 1/s. */
+    /** The drag that gives ω' = α − κ·ω with this κ, in 1/s. */
     private static double dragFor(double kappa) {
         return kappa * INERTIA / (Math.PI / 2);
     }
@@ -46,7 +47,7 @@ class TurningCourseTest {
         return Accuracy.DRAFT.withIntegrator(method);
     }
 
-    /** Bodies in water under no weight but that of what they displace. */
+    /** Bodies in water whose weight equals that of the water they displace. */
     private static final class Diving {
 
         final FilledStorage storage;
@@ -122,10 +123,11 @@ class TurningCourseTest {
         assertThat(fine).as("of the size of h to the order").isLessThan(10 * Math.pow(0.02, order));
     }
 
-    /** Angle, spin and height of a box that floats aslant after a quarter of a second. */
+    /** Angle, spin and height of a tilted floating box after a quarter of a second. */
     private static double[] rocked(Integrator method, int steps) {
         Diving diving = new Diving(by(method), 0.5);
-        // 4 m wide and 2 m high, its middle just above the level: two sides cross it all the time.
+        // 4 m wide and 2 m high, with its centre just above the water level, which two sides always
+        // cross.
         int box = diving.add(Polygon.box(4, 2), 100.1);
         diving.bodies.turn(box, 0.1);
         diving.bodies.spin[box] = 0.2;
@@ -136,7 +138,7 @@ class TurningCourseTest {
         return new double[] {bodies.angle[box], bodies.spin[box], bodies.y[box]};
     }
 
-    /** A torque that hangs on the angle: each half of the step leaves 2⁻ᵖ of the error, or less. */
+    /** A torque that depends on the angle: halving the step divides the error by 2ᵖ or more. */
     @ParameterizedTest
     @CsvSource({"EULER, 1", "VERLET, 2", "RK4, 4", "BALLISTIC, 4"})
     void aFloatingBoxRocksWithTheOrderOfTheMethod(Integrator method, int order) {
@@ -151,7 +153,7 @@ class TurningCourseTest {
         }
     }
 
-    /** No torque but a steady one, and no force: θ = ωt + ½αt² at any step. */
+    /** Under a constant torque and no force: θ = ωt + ½αt² at any step. */
     @ParameterizedTest
     @EnumSource(
             value = Integrator.class,
@@ -167,9 +169,9 @@ class TurningCourseTest {
     }
 
     /**
-     * Over ¼ s the spin is gone after 3/κ rad, of a disc that is too heavy to be slowed. 400/s is
-     * taken in substeps, to the thousandths that their h leaves; 10⁷/s is too stiff for any, and is
-     * stopped at once, but not thrown back.
+     * Over ¼ s the spin ends after 3/κ rad, for a disc too heavy to lose speed. A drag of 400/s
+     * takes substeps, and is right to the thousandths that their h allows. One of 10⁷/s is too
+     * stiff for any substep: it stops the body at once and does not throw it back.
      */
     @ParameterizedTest
     @CsvSource({
@@ -189,7 +191,10 @@ class TurningCourseTest {
         assertThat(diving.bodies.spin[0]).isEqualTo(0, within(1e-6));
     }
 
-    /** As many substeps as of a drag along the way: κT = 9.5 takes ten, of four looks but once. */
+    /**
+     * As many substeps as for a linear drag: κT = 9.5 takes ten, with four evaluations each but the
+     * first.
+     */
     @Test
     void aStiffTorqueTakesAsManySubstepsAsADrag() {
         AtomicInteger looks = new AtomicInteger();
@@ -203,8 +208,9 @@ class TurningCourseTest {
     }
 
     /**
-     * Broken off at ¼ of its length the path has the spin of the cubic through both ends: of θ₁
-     * over T at the start and the end's spins, σ(1 − σ)·6·θ₁/T + (1 − σ)(1 − 3σ)·ω₀ − σ(2 − 3σ)·ω₁.
+     * Where the path is cut at a share σ of its length, it has the spin of the cubic through both
+     * ends. With θ₁ the angle turned in T, and ω₀ and ω₁ the spins at both ends, that is σ(1 −
+     * σ)·6·θ₁/T + (1 − σ)(1 − 3σ)·ω₀ − σ(2 − 3σ)·ω₁.
      */
     @Test
     void whatIsMetOnTheWayHasTheSpinOfTheCubic() {
@@ -225,7 +231,10 @@ class TurningCourseTest {
         assertThat(diving.bodies.spin[0]).as("only once").isEqualTo(cubic, within(1e-8));
     }
 
-    /** To first order what the water takes, −κ·ω, beside what is steady, in every step anew. */
+    /**
+     * The water's torque is −κ·ω to first order; it is stored apart from the constant torque in
+     * every step.
+     */
     @Test
     void tellsTheTorqueOfTheWaterFromWhatIsSteady() {
         Diving diving = new Diving(by(Integrator.BALLISTIC), dragFor(1.5));
@@ -242,7 +251,7 @@ class TurningCourseTest {
         }
     }
 
-    /** A path laid again from the same place is the same: what the water took is not steady. */
+    /** A path laid again from the same place is the same: the water's torque is not constant. */
     @Test
     void aPathLaidAgainIsTheSame() {
         Diving diving = new Diving(by(Integrator.BALLISTIC), dragFor(1.5));
@@ -253,7 +262,7 @@ class TurningCourseTest {
         assertThat(diving.bodies.angularAcceleration[0]).isEqualTo(before, within(1e-14));
     }
 
-    /** In the middle of a disc under water that is not moved only the spin lacks something. */
+    /** A submerged disc at rest lacks spin only, not velocity. */
     @Test
     void whatOnlyTurnsCatchesUpOnce() {
         double kappa = 1.5;
@@ -267,7 +276,7 @@ class TurningCourseTest {
         assertThat(diving.bodies.spin[0]).isEqualTo(spin(kappa, 0, 0.5), within(1e-8));
     }
 
-    /** A path of no length takes back nothing that another lacked, and lacks nothing. */
+    /** A path of length 0 takes back nothing that another path lacked, and lacks nothing itself. */
     @Test
     void aPathOfNoLengthLacksNoSpin() {
         Diving diving = new Diving(by(Integrator.RK4), dragFor(1.5));
@@ -279,7 +288,7 @@ class TurningCourseTest {
         assertThat(diving.bodies.velocityY[0]).isZero();
     }
 
-    /** In flight among contacts, too; what is in a pile is not. */
+    /** Flyers among contacts are corrected, too; bodies of piles are not. */
     @Test
     void flyersCatchUpWithWhatTheirPathsLack() {
         double kappa = 1.5;

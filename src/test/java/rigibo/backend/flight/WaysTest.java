@@ -17,8 +17,8 @@ import rigibo.backend.storage.Found;
 import java.util.Arrays;
 
 /**
- * How far discs on a line may be led off in half a second, by what is ahead of them. All of them
- * are 2 m wide.
+ * How far bodies ahead may lead discs on a line off their paths in half a second. All discs are 2 m
+ * wide.
  */
 class WaysTest {
 
@@ -56,7 +56,7 @@ class WaysTest {
         return Arrays.copyOf(found.numbers, found.count);
     }
 
-    /** They close at 0.5 m/s over 0.1 m, and would be 0.15 m in each other. */
+    /** They close at 0.5 m/s over 0.1 m, and would overlap by 0.15 m. */
     @Test
     void ofTwoTheLighterOneIsLedFarther() {
         int a = disc(0, 0.3, 1);
@@ -70,7 +70,7 @@ class WaysTest {
         assertThat(ways.reach(a)).isEqualTo(0.15 * 3 / 4, within(ROUND_OFF));
     }
 
-    /** What is fixed gives no way: the other one takes all of it. */
+    /** A fixed body does not give way: the other one takes all of it. */
     @Test
     void whatIsFixedPushesInFull() {
         int wall = air.add(Air.wall(-1, -1));
@@ -81,7 +81,7 @@ class WaysTest {
         assertThat(numbers(ways.led)).containsExactly(a);
     }
 
-    /** No contact of a column closes but the one with the wall, and yet its end is stopped. */
+    /** Only the contact with the wall closes, and yet the end of the column is stopped. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void wayGoesAlongAColumnInAnyOrderOfContacts(boolean isWallFirst) {
@@ -97,7 +97,7 @@ class WaysTest {
         }
     }
 
-    /** Each is faster than the one ahead of it: what is closed adds up. */
+    /** Each disc is faster than the one ahead of it, so the closing distances add up. */
     @Test
     void waysAddUp() {
         int[] bodies = new int[8];
@@ -114,7 +114,7 @@ class WaysTest {
         }
     }
 
-    /** A contact found later hands on what its bodies have by then. */
+    /** A contact found later hands on the present ways of its bodies. */
     @Test
     void laterContactsTakePart() {
         int wall = air.add(Air.wall(-1, -1));
@@ -130,7 +130,7 @@ class WaysTest {
         assertThat(ways.ledTo(b, 1, 0)).isEqualTo(0.1, within(ROUND_OFF));
     }
 
-    /** Overlap that nothing removes leads nobody off; what is beyond it does. */
+    /** Overlap that is kept leads no body off; the rest does. */
     @Test
     void overlapThatIsKeptDoesNotCount() {
         int a = disc(0, 0, 1);
@@ -144,7 +144,7 @@ class WaysTest {
         assertThat(removed.ledTo(d, 1, 0)).isEqualTo(0.05, within(ROUND_OFF));
     }
 
-    /** Contacts that move along with their bodies' frame are those at rest. */
+    /** Contacts in a moving frame give the same ways as contacts at rest. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.25, -1024})
     void nothingDependsOnTheFrame(double speed) {
@@ -153,7 +153,7 @@ class WaysTest {
         int c = disc(4, speed - 0.25, 1);
         Ways ways = waysOf(true, a, b, c);
 
-        // The middle one is led by half of what it closes, and two thirds of the sum are the end's.
+        // The middle one is led by half of its closing distance, the end by two thirds of the sum.
         assertThat(ways.ledTo(c, 1, 0)).isEqualTo((0.125 + 0.125) * 2 / 3, within(ROUND_OFF));
         assertThat(ways.ledTo(a, -1, 0)).isEqualTo((0.25 + 0.0625) * 2 / 3, within(ROUND_OFF));
     }
@@ -178,7 +178,9 @@ class WaysTest {
         assertThat(ways.reach(b)).isEqualTo(0.25 / 4, within(ROUND_OFF));
     }
 
-    /** What is pushed from both sides may be led to either, and farther to one. */
+    /**
+     * A body pushed from both sides has a way in either direction, and a longer one in one of them.
+     */
     @Test
     void aBodyHasAWayAndOneAgainstIt() {
         int a = disc(0, 0.2, 1);
@@ -186,7 +188,7 @@ class WaysTest {
         int c = disc(4, -0.4, 1);
         Ways ways = waysOf(true, a, b, c);
 
-        // By half of what it closes with a; and by two thirds of it, and of what b closes with c.
+        // By half of its closing distance with a; and by two thirds of that and of b's with c.
         assertThat(ways.ledTo(b, 1, 0)).isEqualTo(0.05, within(ROUND_OFF));
         assertThat(ways.ledTo(b, -1, 0)).isEqualTo(0.1, within(ROUND_OFF));
         assertThat(ways.reach(b)).isEqualTo(0.1, within(ROUND_OFF));
@@ -194,7 +196,7 @@ class WaysTest {
         assertThat(ways.ledTo(a, -1, 0)).isEqualTo((0.1 + 0.1) * 2 / 3, within(ROUND_OFF));
     }
 
-    /** From 10 µm on, for discs 2 m wide. */
+    /** Ways count from 10 µm on, for discs 2 m wide. */
     @ParameterizedTest
     @CsvSource({"0.9, false", "1.1, true"})
     void shortWaysAreLeftOut(double share, boolean isLed) {
@@ -205,7 +207,7 @@ class WaysTest {
         assertThat(ways.led.count).isEqualTo(isLed ? 1 : 0);
     }
 
-    /** A column that is done waits for one that is not, and nobody else takes part. */
+    /** A column with ways is not affected by one without, and no other contact takes part. */
     @Test
     void columnsDoNotMatterToEachOther() {
         int[] bodies = new int[9];
@@ -234,7 +236,7 @@ class WaysTest {
         assertThat(both.ledTo(b, 1, 0)).isEqualTo(0.125, within(ROUND_OFF));
     }
 
-    /** Nothing is left of a step in the next one, in which there is a crowd, too. */
+    /** A step starts without the ways of the last one, also with many bodies. */
     @Test
     void everyStepBeginsAnew() {
         int wall = air.add(Air.wall(-1, -1));
@@ -256,7 +258,8 @@ class WaysTest {
         ways.handOn();
 
         assertThat(ways.reach(b)).isZero();
-        // Each takes what all behind it push by: of n equal discs the next gets n parts of n + 1.
+        // Each disc takes what all behind it push by: of n equal discs the next gets n parts of n +
+        // 1.
         double way = 0.2;
         for (int i = 1; i < crowd.length; i++) {
             way *= i / (i + 1.0);

@@ -12,14 +12,16 @@ import rigibo.frontend.scene.RecordingCanvas;
 
 import java.util.Arrays;
 
-/** Tab and arrows choose boxes, Enter deletes. The box is in the middle, the wall to its right. */
+/**
+ * Tab and arrows select boxes, Enter deletes one. The box is in the middle, the wall to its right.
+ */
 class ChoosingByKeysTest {
 
     private static final String NONE = "none";
 
     private final PlayedLevel played = new PlayedLevel(PlayedLevel.twoBoxes());
 
-    /** Which of the two has the four corners round it. */
+    /** The body with the four corners of a selection around it. */
     private String marked() {
         RecordingCanvas canvas = played.canvas();
         double[] places =

@@ -54,7 +54,7 @@ class MadeLevelsTest {
 
     private static final LocalDate DATE = LocalDate.of(2026, 11, 27);
 
-    /** A seed that has no level, since there is none. */
+    /** Seeds of which none has a level: there are none. */
     private static final List<Long> NO_SEEDS = List.of();
 
     private static final Endless FIRST = new Endless(1);
@@ -113,7 +113,7 @@ class MadeLevelsTest {
         assertThat(leap.seeds()).allMatch(seed -> Day.ofSeed(seed).equals(Optional.of(leap)));
     }
 
-    /** Endless levels, dates that no calendar has, and a number beyond the seeds of a day. */
+    /** Endless levels, invalid dates, and a number beyond the seeds of a day. */
     @ParameterizedTest
     @ValueSource(longs = {-1, 1, 10_115, 19_991_231, 20_270_229, 20_261_300, 1_020_261_127})
     void otherSeedsAreNoDay(long seed) {
@@ -248,7 +248,7 @@ class MadeLevelsTest {
                 director, new UnmadeReplay("code", replay.toString(), origin), making);
     }
 
-    /** The receiver has neither the level nor its name, only what it is made from. */
+    /** The receiver has neither the level nor its name, only its origin. */
     @Test
     void replayOfAMadeLevelIsWatchedOnceItsLevelIsMade() {
         Scene scene = pasted(replay());

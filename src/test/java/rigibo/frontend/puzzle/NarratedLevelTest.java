@@ -19,7 +19,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Levels are told in words to players who do not see them. */
+/** Screen readers describe levels in words. */
 class NarratedLevelTest {
 
     static Stream<Path> levels() {

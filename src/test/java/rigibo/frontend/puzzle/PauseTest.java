@@ -19,7 +19,7 @@ class PauseTest {
 
     private final PlayedLevel played = new PlayedLevel(PlayedLevel.twoBoxes());
 
-    /** By the colour of its plate, among the buttons of the bar. */
+    /** The selected button of the bar, found by the colour of its plate. */
     private String chosen() {
         return WAYS.stream()
                 .filter(way -> inTheBar(way) && plateInTheBar(way).equals(Color.BRASS))

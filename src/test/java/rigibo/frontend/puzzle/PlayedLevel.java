@@ -15,16 +15,16 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 
-/** A level with someone at the mouse and the keys, without a window. */
+/** A level played by mouse and keys, without a window. */
 public final class PlayedLevel {
 
     private static final String WALL = "\"material\": \"stone\", \"dynamic\": false";
     private static final String HINT = "\"title\"";
 
-    /** Click, fall and hold are over by then, turns. */
+    /** Turns in which click, fall and hold are over. */
     public static final int LONG_ENOUGH = 8 * 60;
 
-    /** Of the world on the screen while nothing is open above it, px per m. */
+    /** Scale of the world on the screen without an open drawer, px per m. */
     private static final double SCALE = 80;
 
     public final RecordingDirector director = new RecordingDirector();
@@ -42,7 +42,7 @@ public final class PlayedLevel {
     }
 
     /**
-     * The ball stands on "box", the box on the platform, and "wall" beside them can be deleted too.
+     * The ball stands on "box" and the box on the platform; "wall" beside them can be deleted, too.
      */
     public static Level twoBoxes() {
         return LevelTexts.level(
@@ -68,7 +68,7 @@ public final class PlayedLevel {
         return this;
     }
 
-    /** A click at a place of the world, m, while nothing is open above it. */
+    /** Clicks at a place of the world, m, without an open drawer. */
     public PlayedLevel click(double x, double y) {
         scene.pointerPressed(PointerButton.LEFT, x * SCALE, Scene.HEIGHT - y * SCALE);
         return this;
@@ -79,7 +79,7 @@ public final class PlayedLevel {
         return this;
     }
 
-    /** A click on the box of {@link #twoBoxes} in a scene. */
+    /** Clicks the box of {@link #twoBoxes} in a scene. */
     public static void clickBox(Scene scene) {
         scene.pointerPressed(PointerButton.LEFT, 4.5 * SCALE, Scene.HEIGHT - 1.85 * SCALE);
     }
@@ -88,7 +88,7 @@ public final class PlayedLevel {
         return click(8, 2);
     }
 
-    /** A click on the button that says so. */
+    /** Clicks the button with these words. */
     public PlayedLevel press(String words) {
         double[] at = canvas().middleOf(words);
         scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);

@@ -124,7 +124,7 @@ class PlayerFilesTest {
         assertThat(PlayerFiles.pasted(director, "something else")).isEmpty();
     }
 
-    /** Players who drop a file or paste a code read why it is refused in their language. */
+    /** A refused file or code is explained in the player's language. */
     @Test
     void everyCauseIsToldInGerman() throws IOException {
         director.settings(director.settings().withLanguage("de"));

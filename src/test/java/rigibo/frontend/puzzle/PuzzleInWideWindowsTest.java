@@ -13,7 +13,7 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
 
-/** What opens during a play stands beside it where the window has room. */
+/** Drawers stand beside the play if the window has room. */
 class PuzzleInWideWindowsTest {
 
     private static final Layout WIDE = Layout.of(1920, 1080, 1);
@@ -32,7 +32,9 @@ class PuzzleInWideWindowsTest {
         assertThat(canvas().middleOf("gravity")[0]).isGreaterThan(Scene.WIDTH);
     }
 
-    /** In a window of the scene's own shape the picture shrinks below them, and grows again. */
+    /**
+     * In a window with the scene's proportions the picture shrinks below a drawer, and grows again.
+     */
     @Test
     void thePlayFollowsTheWindow() {
         played.keys(Key.E);
@@ -51,7 +53,7 @@ class PuzzleInWideWindowsTest {
         assertThat(canvas().plateOf("gravity")).isEqualTo(Color.PANEL_LIT);
     }
 
-    /** Over the play it would hide what the last click has done. */
+    /** Over the play the panel would hide the effect of the last click. */
     @Test
     void theEndStandsBesideThePlay() {
         played.solve();
@@ -70,7 +72,7 @@ class PuzzleInWideWindowsTest {
         assertThat(played.director.shown).hasSize(1);
     }
 
-    /** It would otherwise stand upright beside the level, without a wall. */
+    /** At the sides of the level the water would end in an upright edge without a wall. */
     @Test
     void waterFloodsAllThatTheWindowShows() {
         PlayedLevel flooded =
@@ -88,7 +90,7 @@ class PuzzleInWideWindowsTest {
         assertThat(canvas.plateAt(corner[0], corner[1]).alpha()).isLessThan(0.3f);
     }
 
-    /** The box is where it is seen, in the scene's own coordinates. */
+    /** The box is clicked at its place on the screen, in the scene's coordinates. */
     @Test
     void aClickReachesTheBoxThatIsSeenThere() {
         int before = canvas().bodies().size();

@@ -23,10 +23,10 @@ import rigibo.frontend.scene.Settings;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Whatever a level shows can be read, in every language, and covers none of the play. */
+/** All words of a level are legible in every language and cover none of the play. */
 class PuzzleLegibilityTest {
 
-    /** Longer than any stored solution takes, in turns of 1/60 s. */
+    /** More than any stored solution takes, in turns of 1/60 s. */
     private static final int LONGEST = 60 * 60;
 
     /** A level in a language. */
@@ -43,7 +43,10 @@ class PuzzleLegibilityTest {
         }
     }
 
-    /** Windows with room for columns: the least of it, in a low one, and more than enough. */
+    /**
+     * Windows with room for columns: just enough room, just enough in a low window, and more than
+     * enough.
+     */
     private static final List<Layout> WIDE =
             List.of(
                     Layout.of(1280, 800, 1),

@@ -15,14 +15,14 @@ import rigibo.frontend.scene.Settings.Motion;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** No click is silently lost: where nothing is deleted, it is seen that and why. */
+/** Every refused click is shown, with its reason. */
 class RefusedClickTest {
 
     private static final int SEEN = 72;
 
     private final PlayedLevel played = new PlayedLevel(PlayedLevel.twoBoxes());
 
-    /** Where the cooldown's ring at the pointer is, px; the pointer is at the wall. */
+    /** Position of the cooldown's ring at the pointer, px; the pointer is at the wall. */
     private static double pointerRing(PlayedLevel of) {
         return of.canvas().rings().stream()
                 .filter(ring -> Math.abs(ring.x() - 640) < 20 && ring.y() > 100)

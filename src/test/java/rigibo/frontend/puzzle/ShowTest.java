@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
 
-/** The hint after three failures, the solution beside it, and the player's own try once more. */
+/** The hint after three failures, the solution beside it, and the player's own try shown again. */
 class ShowTest {
 
     private static final String DEMONSTRATION = "This is how it can be done";

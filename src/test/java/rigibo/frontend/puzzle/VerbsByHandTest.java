@@ -18,7 +18,7 @@ import rigibo.frontend.scene.Settings.Motion;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Verbs by mouse and by keys: what they do, what is heard, what is shown. */
+/** Verbs by mouse and by keys: their effects, sounds and marks. */
 class VerbsByHandTest {
 
     private static final double SCALE = 80;
@@ -32,7 +32,7 @@ class VerbsByHandTest {
         assertThat(rope.director.sounds.signals).contains("snip");
     }
 
-    /** Cut at two thirds, the upper end goes on hanging as long as it is: 1.8 m from the hook. */
+    /** Cut at two thirds, the upper end stays 1.8 m long below the hook. */
     @Test
     void theEndsHangFromWhereTheClickWas() {
         rope.turns(30).click(2, 6.2).turns(240);
@@ -43,7 +43,7 @@ class VerbsByHandTest {
                         .mapToDouble(xy -> (800 - xy[xy.length - 1]) / SCALE)
                         .min()
                         .orElseThrow();
-        // Pieces of a rope give way by a few per cent while they swing.
+        // Pieces of a rope stretch by a few per cent while they swing.
         assertThat(upperEnd).isBetween(6.2 - 0.1, 6.2 + 0.1);
     }
 
@@ -79,7 +79,7 @@ class VerbsByHandTest {
         assertThat(machines.counts()).startsWith("4 clicks ");
     }
 
-    /** Floor, ball and platform are passed over; a lit bomb cannot be chosen again. */
+    /** Tab skips floor, ball and platform, and a lit bomb. */
     @Test
     void tabWalksThroughAllThatCanBeActedOn() {
         PlayedLevel machines = new PlayedLevel(VerbLevels.machines());
@@ -88,7 +88,7 @@ class VerbsByHandTest {
         assertThat(machines.director.sounds.signals).startsWith("fuse").endsWith("switch_on");
     }
 
-    /** The sign would lie on the plate that tells the medals. */
+    /** After the end the sign would cover the panel with the medals. */
     @Test
     void whatAClickDoesIsShownAtThePointerUntilTheGameIsOver() throws IOException {
         PlayedLevel magnet = new PlayedLevel(letGo());
@@ -107,7 +107,7 @@ class VerbsByHandTest {
         return new LevelLoader().load(file).level().orElseThrow();
     }
 
-    /** Rings on the screen with the pointer at a place, m. */
+    /** Number of rings on the screen with the pointer at a place, m. */
     private static int ringsAtPointer(PlayedLevel played, double x, double y) {
         played.scene.pointerMoved(x * SCALE, Scene.HEIGHT - y * SCALE);
         return played.turns(1).canvas().rings().size();

@@ -16,7 +16,7 @@ import java.nio.FloatBuffer;
 /** The functions of OpenGL 3.3 that the game calls, by the WebGL 2 of one canvas. */
 public final class GL33C {
 
-    /** How the game's shaders begin, and how those of WebGL do. */
+    /** First line of the game's shaders, and of WebGL's. */
     private static final String VERSION = "#version 330 core";
 
     private static final String VERSION_HERE =
@@ -35,7 +35,7 @@ public final class GL33C {
 
     private GL33C() {}
 
-    /** Takes the canvas that all calls are about. */
+    /** Sets the canvas of all calls. */
     public static void use(WebGL2RenderingContext context) {
         gl = context;
     }
@@ -116,7 +116,7 @@ public final class GL33C {
         gl.bindBuffer(kind, BUFFERS.get(buffer));
     }
 
-    /** Sends what is between a buffer's position and its limit. */
+    /** Sends the floats between a buffer's position and its limit. */
     public static void glBufferData(int kind, FloatBuffer floats, int use) {
         send(gl, kind, Float32Array.fromJavaBuffer(floats.slice()), use);
     }
@@ -162,7 +162,7 @@ public final class GL33C {
         gl.texParameteri(kind, what, value);
     }
 
-    /** An empty texture; nothing is ever copied from {@code pixels}. */
+    /** Makes an empty texture; {@code pixels} are never copied. */
     public static void glTexImage3D(
             int kind,
             int level,

@@ -1,2 +1,5 @@
-/** What the game asks of OpenGL, by WebGL 2. Stands in front of the library of this name. */
+/**
+ * The functions of OpenGL that the game calls, by WebGL 2. Stands in front of the library of this
+ * name.
+ */
 package org.lwjgl.opengl;

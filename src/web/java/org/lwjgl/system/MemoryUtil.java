@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 
-/** Buffers of floats where WebGL reads them without a copy; their memory comes back by itself. */
+/** Buffers of floats that WebGL reads without a copy; their memory is freed by the browser. */
 public final class MemoryUtil {
 
     private MemoryUtil() {}
@@ -15,7 +15,7 @@ public final class MemoryUtil {
                 .asFloatBuffer();
     }
 
-    /** A larger buffer with what was put into one; its position stays. */
+    /** A larger buffer with the content of another one and its position. */
     public static FloatBuffer memRealloc(FloatBuffer before, int size) {
         FloatBuffer larger = memAllocFloat(size);
         before.flip();

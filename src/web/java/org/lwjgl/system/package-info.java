@@ -1,2 +1,2 @@
-/** Buffers outside the heap, which a browser's programs lack: they are on it. */
+/** Stands in for buffers outside the heap, which a browser's programs lack: these are on it. */
 package org.lwjgl.system;

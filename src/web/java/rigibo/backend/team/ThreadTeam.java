@@ -1,15 +1,16 @@
 package rigibo.backend.team;
 
 /**
- * What the engine's {@code ThreadTeam} is in a browser, which has no threads that share memory: the
- * caller does every piece, one after the other, and so the bits are those of any number of workers.
+ * Stands in for the engine's {@code ThreadTeam} in a browser, which has no threads that share
+ * memory. The caller does all pieces one after the other, so the bits are those of any number of
+ * workers.
  */
 public final class ThreadTeam implements Team {
 
     private final int size;
     private int splits;
 
-    /** A team that says it has so many workers. */
+    /** A team that claims a number of workers. */
     public ThreadTeam(int workers) {
         size = workers;
     }
@@ -34,7 +35,7 @@ public final class ThreadTeam implements Team {
         return since;
     }
 
-    /** There is nothing to close. */
+    /** Does nothing: there is nothing to close. */
     public void closeWith(Object owner) {}
 
     @Override

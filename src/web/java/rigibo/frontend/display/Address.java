@@ -6,16 +6,18 @@ import org.teavm.jso.JSObject;
 
 import rigibo.frontend.scene.Link;
 
-/** The page's address, which follows what is shown and chosen. */
+/** The page's address, which follows the scene and the player's choices. */
 final class Address {
 
-    /** Between two looks at what is chosen, ns: browsers refuse to be told much more often. */
+    /**
+     * Least time between two updates of the address, ns: browsers refuse much more frequent ones.
+     */
     private static final long PAUSE = 1_000_000_000;
 
     private long looked;
     private String shown = "";
 
-    /** What a page tells that its address was entered anew. */
+    /** Called when another address was entered. */
     @JSFunctor
     interface Entered extends JSObject {
         void enter();
@@ -27,12 +29,12 @@ final class Address {
         return shown;
     }
 
-    /** Calls whenever the player enters another address of this page. */
+    /** Sets the function to call whenever the player enters another address of this page. */
     void onEntered(Entered entered) {
         listen(entered);
     }
 
-    /** A picture was drawn of what a link leads to. */
+    /** Called after each picture, with the link to its scene. */
     void turn(Link link) {
         if (System.nanoTime() - looked > PAUSE) {
             looked = System.nanoTime();
@@ -40,7 +42,7 @@ final class Address {
         }
     }
 
-    /** Shows a link now; the way back of the browser stays as it is. */
+    /** Shows a link now; the browser's history stays as it is. */
     void show(Link link) {
         String text = link.text();
         if (!text.equals(shown)) {
@@ -54,7 +56,7 @@ final class Address {
         return offered(title);
     }
 
-    /** A browser may hand it out encoded. */
+    /** The text after the #; a browser may return it encoded. */
     @JSBody(
             script =
                     "try { return decodeURIComponent(location.hash.substring(1)); }"
@@ -78,7 +80,7 @@ final class Address {
                             + ".catch(function() {}); return true; } return false;")
     private static native boolean offered(String title);
 
-    /** All of it, with the scene and what is chosen in it. */
+    /** The whole address, with the scene and the player's choices in it. */
     @JSBody(script = "return location.href;")
     static native String whole();
 }

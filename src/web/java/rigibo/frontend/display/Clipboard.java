@@ -18,13 +18,13 @@ final class Clipboard {
         void take(String text);
     }
 
-    /** Takes what became of a text. */
+    /** Called with the outcome of copying a text. */
     @JSFunctor
     interface Outcome extends JSObject {
         void take(boolean isCopied);
     }
 
-    /** Hands the clipboard's text over; an empty one where it may not be read. */
+    /** Passes the clipboard's text on; an empty one if it may not be read. */
     @JSBody(
             params = "taker",
             script =
@@ -33,7 +33,7 @@ final class Clipboard {
                             + " catch (missing) { none(); }")
     static native void read(Taker taker);
 
-    /** Copies a text, and tells whether that was allowed. */
+    /** Copies a text, and reports whether that was allowed. */
     @JSBody(
             params = {"text", "outcome"},
             script =

@@ -16,13 +16,14 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Mirrors what a scene says of itself in the document, for screen readers: its controls as elements
- * that nobody sees and no pointer meets, at their places, and what happens in a log. To focus a
- * control is to point at it, to click it is to press there; the choice made by keys has the focus.
+ * Mirrors a scene's description in the document, for screen readers: its controls as invisible
+ * elements at their places, which no pointer hits, and its events in a log. Focusing a control
+ * means pointing at it, clicking it means pressing there; the control selected by keys has the
+ * focus.
  */
 final class Mirror implements Narrator {
 
-    /** From one look at the scene to the next, ns: however slow its pictures are. */
+    /** Time from one look at the scene to the next, ns, however slow the pictures are. */
     private static final long PERIOD = 100_000_000;
 
     /** Sentences that the log keeps, more than a scene says at once: it is read as it grows. */
@@ -44,20 +45,20 @@ final class Mirror implements Narrator {
     private int chosen = NONE;
     private long looked = -PERIOD;
 
-    /** Whether the focus follows the choice, and is not the player's own wish. */
+    /** Whether the focus follows the selection, and was not set by the player. */
     private boolean isFollowing;
 
     /**
-     * A mirror of what a canvas shows.
+     * A mirror of a canvas.
      *
-     * @param input takes what is done in it
+     * @param input receives the actions on its elements
      */
     Mirror(HTMLElement canvas, PageInput input) {
         this.canvas = canvas;
         this.input = input;
     }
 
-    /** Another scene is shown; its title is read. */
+    /** Called when another scene is shown; its title is read. */
     void begins(String title) {
         canvas.setAttribute("aria-label", title);
         known = Set.of();
@@ -66,7 +67,7 @@ final class Mirror implements Narrator {
         tell(title);
     }
 
-    /** A picture was drawn of a scene, and of what the page itself offers beside it. */
+    /** Called after a picture of a scene, with the page's own controls beside it. */
     void drawn(Scene scene, Layout layout, List<Control> beside) {
         long now = System.nanoTime();
         if (now - looked < PERIOD) {
@@ -121,7 +122,7 @@ final class Mirror implements Narrator {
         return control.kind() == Control.Kind.SLIDER ? "input" : "button";
     }
 
-    /** Keeps the element that is there, so that it keeps the focus, if it is of the right kind. */
+    /** Keeps an existing element of the right kind, so that it keeps the focus. */
     private void element(int number, String tag) {
         boolean isThere = number < elements.size();
         if (isThere && elements.get(number).getTagName().equalsIgnoreCase(tag)) {
@@ -164,7 +165,7 @@ final class Mirror implements Narrator {
         element.getStyle().setProperty(property, Math.round(value) + "px");
     }
 
-    /** Gives the focus to what has become the choice. */
+    /** Gives the focus to the control that became selected. */
     private void follow() {
         int now = NONE;
         for (int i = 0; i < shown.size() && now == NONE; i++) {

@@ -26,12 +26,12 @@ import java.util.function.Function;
 
 /**
  * Shows scenes in a page, one after the other, by the loop of {@code Display}: input, the steps
- * that are due, a picture. The browser calls it at each picture of the screen, and not while the
+ * that are due, a picture. The browser calls it for each picture of the screen, but not while the
  * page is hidden.
  */
 public final class PageDisplay implements Director {
 
-    /** Where files are that were dropped on the page. */
+    /** Folder of the files that were dropped on the page. */
     private static final Path DROPPED = Path.of("/dropped");
 
     private final Function<Director, Scene> menu;
@@ -53,7 +53,7 @@ public final class PageDisplay implements Director {
     private Scene scene;
     private Scene wanted;
 
-    /** Pictures for which the curtain has fallen before the wanted scene. */
+    /** Number of pictures for which the curtain has been falling before the next scene. */
     private int fallen;
 
     /** A display for a player, who can go back to the menu or to the list of levels. */
@@ -67,7 +67,7 @@ public final class PageDisplay implements Director {
         speaker.plugIn();
     }
 
-    /** Sets the function that makes a scene of a code that is pasted; none of what is no code. */
+    /** Sets the function that makes a scene of a pasted code; it returns none for other texts. */
     public void opensCodesBy(BiFunction<Director, String, Optional<Scene>> decoding) {
         decoder = decoding;
     }
@@ -77,12 +77,12 @@ public final class PageDisplay implements Director {
         opener = opening;
     }
 
-    /** Sets the function that makes a scene of the text of a link; none where it leads nowhere. */
+    /** Sets the function that makes a scene of the text of a link; none if it leads nowhere. */
     public void opensLinksBy(Function<String, Optional<Function<Director, Scene>>> linking) {
         linker = linking;
     }
 
-    /** Opens the scene of the page's address, and goes on as long as the page is there. */
+    /** Opens the scene of the page's address, and runs as long as the page is open. */
     public void run() {
         open(linked());
         address.onEntered(() -> show(linked()));
@@ -90,7 +90,7 @@ public final class PageDisplay implements Director {
         Window.requestAnimationFrame(this::picture);
     }
 
-    /** The scene to which the page's address leads; the menu where it leads to none. */
+    /** The scene of the page's address; the menu if there is none. */
     private Scene linked() {
         String text = address.text();
         Optional<Function<Director, Scene>> found = linker.apply(text);
@@ -130,13 +130,13 @@ public final class PageDisplay implements Director {
         }
     }
 
-    /** What the page itself offers beside the scene. */
+    /** The controls of the page beside the scene. */
     private List<Control> beside() {
         Plate back = surface.wayBack();
         return back == Plate.NONE ? List.of() : List.of(back.button(words.of("menu.back"), false));
     }
 
-    /** Lets the curtain fall on; whether nothing is seen any more of the scene. */
+    /** Lets the curtain fall; returns whether the scene is covered. */
     private boolean isCovered() {
         fallen++;
         return settings().motion() != Settings.Motion.FULL || fallen > Curtain.FRAMES;
@@ -159,12 +159,12 @@ public final class PageDisplay implements Director {
         address.show(scene.link());
     }
 
-    /** Whether another scene was chosen already, so that nobody means this one any more. */
+    /** Whether another scene was chosen already, so that input no longer means this one. */
     boolean isLeaving() {
         return wanted != null;
     }
 
-    /** Whether what is typed is text. */
+    /** Whether typed keys are text. */
     boolean isTyping() {
         return scene.isTyping();
     }
@@ -185,7 +185,7 @@ public final class PageDisplay implements Director {
         show(levels.apply(this));
     }
 
-    /** Only who opened a page can close it. */
+    /** Does nothing: a page cannot close itself. */
     @Override
     public void quit() {}
 
@@ -199,7 +199,7 @@ public final class PageDisplay implements Director {
         return player;
     }
 
-    /** Nobody finds a file in the browser's storage. */
+    /** None: players cannot find a file in the browser's storage. */
     @Override
     public Optional<Path> measurements() {
         return Optional.empty();
@@ -241,7 +241,10 @@ public final class PageDisplay implements Director {
         mirror.tell(told);
     }
 
-    /** The browser keeps no more of what the player does: in short now, at length in the menu. */
+    /**
+     * Tells that the browser keeps no more of the player's results: briefly now, at length in the
+     * menu.
+     */
     public void notKept() {
         tell(words.of("save.page"));
         say(words.of("toast.not-kept"));
@@ -261,7 +264,7 @@ public final class PageDisplay implements Director {
         return true;
     }
 
-    /** By the system's own sheet where there is one, and by the clipboard elsewhere. */
+    /** Shares by the system's own dialog if there is one, otherwise by the clipboard. */
     @Override
     public void share() {
         address.show(scene.link());
@@ -270,7 +273,7 @@ public final class PageDisplay implements Director {
         }
     }
 
-    /** Files of the page are in the browser's storage. */
+    /** True: files of the page are in the browser's storage. */
     @Override
     public boolean handsOver() {
         return true;
@@ -316,11 +319,11 @@ public final class PageDisplay implements Director {
     @JSBody(params = "title", script = "document.title = title;")
     private static native void title(String title);
 
-    /** By this, screen readers pronounce what is said. */
+    /** Sets the language by which screen readers pronounce the texts. */
     @JSBody(params = "tag", script = "document.documentElement.lang = tag;")
     private static native void language(String tag);
 
-    /** Tells whoever measures the page at which share of real time the world runs. */
+    /** Reports the share of real time at which the world runs, to measurements of the page. */
     @JSFunctor
     interface Pace extends JSObject {
         double share();

@@ -17,7 +17,7 @@ import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Scene;
 
 /**
- * Passes what happens on the page to the game's own {@link Input}, as GLFW's callbacks do in a
+ * Passes the page's input events on to the game's own {@link Input}, like GLFW's callbacks in a
  * window: a mouse, a pen and the first finger are one pointer.
  */
 final class PageInput {
@@ -32,7 +32,7 @@ final class PageInput {
     private Input input;
     private Fingers fingers;
 
-    /** When the last touch was, s: a page that is late must not take a short one for a long one. */
+    /** Time of the last touch, s: a late page must not take a short touch for a long one. */
     private double touched;
 
     PageInput(PageSurface surface, PageDisplay display) {
@@ -57,7 +57,7 @@ final class PageInput {
         void take(String name, String text);
     }
 
-    /** Of several files the first is taken. */
+    /** Takes the first of several files. */
     @JSBody(
             params = "taker",
             script =
@@ -78,7 +78,7 @@ final class PageInput {
                         });
     }
 
-    /** What is pressed from now on is meant for a scene. */
+    /** Sets the scene that later presses are meant for. */
     void shows(Scene next) {
         input =
                 new Input(
@@ -91,7 +91,7 @@ final class PageInput {
         fingers = new Fingers(input, () -> touched);
     }
 
-    /** A picture is made: a finger may have rested. */
+    /** Called for each picture: a finger may have rested. */
     void turn() {
         look();
         fingers.turn(Performance.now() / MILLIS);
@@ -129,7 +129,7 @@ final class PageInput {
         }
     }
 
-    /** What is pressed is where it was drawn last. */
+    /** Takes over the layout drawn last, at which presses are aimed. */
     private void look() {
         input.shows(surface.layout(), PageSurface.ratio(), surface.wayBack());
     }
@@ -212,7 +212,7 @@ final class PageInput {
         KeyboardEvent key = (KeyboardEvent) event;
         if (input != null) {
             int code = PageKeys.code(key.getCode(), key.getKey());
-            // Firefox clicks what has the focus when the space bar goes up.
+            // Firefox clicks the focused element when the space bar is released.
             if (PageKeys.isOurs(code, key)) {
                 event.preventDefault();
             }
@@ -228,7 +228,7 @@ final class PageInput {
         text.codePoints().forEach(input::character);
     }
 
-    /** Presses a key, if anybody types. */
+    /** Presses a key, if the scene accepts typing. */
     private void press(int key) {
         if (display.isTyping()) {
             input.key(key, GLFW_PRESS);
@@ -248,7 +248,7 @@ final class PageInput {
     @JSBody(params = "event", script = "return event.offsetY;")
     private static native double y(Event event);
 
-    /** A wheel is no pointer, and so not a second one. */
+    /** Whether a pointer is the first one; a wheel is no pointer, and so not a second one. */
     @JSBody(params = "event", script = "return event.isPrimary !== false;")
     private static native boolean isFirst(Event event);
 
@@ -261,7 +261,7 @@ final class PageInput {
     @JSBody(params = "event", script = "return event.timeStamp;")
     private static native double millis(Event event);
 
-    /** What is dragged goes on beyond the page's edge. */
+    /** Keeps a drag going beyond the page's edge. */
     @JSBody(params = "event", script = "event.target.setPointerCapture(event.pointerId);")
     private static native void capture(Event event);
 

@@ -7,7 +7,7 @@ import org.teavm.jso.dom.events.KeyboardEvent;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The keys of a browser by the numbers that GLFW gives them. */
+/** The keys of a browser, by GLFW's numbers. */
 final class PageKeys {
 
     private static final String LETTER = "Key";
@@ -17,10 +17,10 @@ final class PageKeys {
     private PageKeys() {}
 
     /**
-     * The number of a key; of a letter by what is printed on it.
+     * The number of a key; of a letter by its imprint.
      *
-     * @param place where it is on the keyboard
-     * @param meaning what it types
+     * @param place of the key on the keyboard
+     * @param meaning the text that it types
      */
     static int code(String place, String meaning) {
         if (place.startsWith(LETTER)) {
@@ -34,7 +34,10 @@ final class PageKeys {
         return CODES.getOrDefault(place, GLFW_KEY_UNKNOWN);
     }
 
-    /** Whether the game alone is to answer: else browsers scroll, search or leave the page. */
+    /**
+     * Whether only the game should handle a key: otherwise browsers scroll, search or leave the
+     * page.
+     */
     static boolean isOurs(int code, KeyboardEvent key) {
         boolean isCommand = key.isCtrlKey() || key.isMetaKey() || key.isAltKey();
         return code != GLFW_KEY_UNKNOWN && !isCommand;

@@ -23,7 +23,10 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.widget.Plate;
 
-/** The two canvases that fill the page: bodies by WebGL, and over them plates, lines and words. */
+/**
+ * The two canvases that fill the page: WebGL for bodies, and above it one for plates, lines and
+ * words.
+ */
 final class PageSurface {
 
     private final HTMLCanvasElement below = canvas("world");
@@ -40,7 +43,8 @@ final class PageSurface {
             throw new DisplayException("this browser has no WebGL 2");
         }
         GL33C.use(gl);
-        // Phones take it from pages that nobody looks at: the page begins anew, from what it kept.
+        // Phones take the context from hidden pages; the page then starts again from its stored
+        // state.
         below.addEventListener("webglcontextlost", Event::preventDefault);
         below.addEventListener(
                 "webglcontextrestored", event -> Window.current().getLocation().reload());
@@ -48,7 +52,7 @@ final class PageSurface {
         painter = new Painter();
     }
 
-    /** What players point at. */
+    /** The canvas that receives pointers. */
     HTMLCanvasElement canvas() {
         return above;
     }
@@ -57,7 +61,7 @@ final class PageSurface {
         return layout;
     }
 
-    /** Where a press means Esc. */
+    /** The plate that acts as Esc. */
     Plate wayBack() {
         return wayBack;
     }
@@ -67,7 +71,7 @@ final class PageSurface {
         return Window.current().getDevicePixelRatio();
     }
 
-    /** Draws pictures of a new scene for trial, if it is still open how much is to be drawn. */
+    /** Draws trial pictures of a new scene, while the amount of detail is undecided. */
     void begin(Scene scene, Settings settings) {
         choice.renderer(renderer(gl));
         while (choice.isOpen(settings.detail())) {
@@ -78,18 +82,17 @@ final class PageSurface {
         }
     }
 
-    /** Waits until all is drawn: to ask for a pixel is the only way to. */
+    /** Waits until all is drawn; reading a pixel is the only way. */
     @JSBody(
             params = "gl",
             script = "gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));")
     private static native void finish(JSObject gl);
 
-    /** Draws a picture; returns the time that the page took for it, ns. */
+    /** Draws a picture; returns the page's time for it, ns. */
     long draw(Scene scene, Settings settings, Toast toast, double dark) {
         long begin = System.nanoTime();
         layOut(scene, settings);
-        // Chromium otherwise clears what the ground was copied to, with the first thing drawn on
-        // it.
+        // Otherwise Chromium clears the copied background with the first drawing over it.
         gl.clear(WebGLRenderingContext.COLOR_BUFFER_BIT);
         Paper.clear();
         Detail detail = choice.detail(settings.detail());
@@ -113,7 +116,10 @@ final class PageSurface {
         wayBack = WayBack.place(pane, layout, scene);
     }
 
-    /** What notches and round corners hide of the page, in pixels; see {@code #hidden}. */
+    /**
+     * Widths of the page's edges hidden by notches and round corners, in pixels; see {@code
+     * #hidden}.
+     */
     private static Edges hidden() {
         return new Edges(
                 ratio() * padding("Left"),
@@ -122,7 +128,7 @@ final class PageSurface {
                 ratio() * padding("Bottom"));
     }
 
-    /** The browser alone knows what is hidden, and tells it to style sheets alone. */
+    /** A width that only the browser knows, and tells only to style sheets. */
     @JSBody(
             params = "side",
             script =
@@ -130,7 +136,7 @@ final class PageSurface {
                             + "'padding' + side]) || 0;")
     private static native double padding(String side);
 
-    /** Whether nothing points at the page as well as a mouse does, as on phones and tablets. */
+    /** Whether no pointing device is as precise as a mouse, as on phones and tablets. */
     @JSBody(
             script =
                     "return matchMedia('(any-pointer: coarse) and (not (any-pointer:"

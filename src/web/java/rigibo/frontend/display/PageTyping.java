@@ -5,33 +5,32 @@ import org.teavm.jso.JSFunctor;
 import org.teavm.jso.JSObject;
 
 /**
- * Brings up the keyboard of a screen. Browsers show it for a field of the document alone, so there
- * is one that nobody sees; what is typed into it goes on as characters and keys.
+ * Opens the keyboard of a screen. Browsers show it for a field of the document only, so there is an
+ * invisible field; text typed there is passed on as characters and keys.
  */
 final class PageTyping {
 
     private PageTyping() {}
 
-    /** Takes what was typed. */
+    /** Receives typed text. */
     @JSFunctor
     interface Taker extends JSObject {
         /**
-         * @param removed letters before those that were typed
+         * @param removed number of letters before the typed ones to remove
          * @param typed letters
          */
         void take(int removed, String typed);
     }
 
-    /** Takes that typing is over. */
+    /** Called when typing ends. */
     @JSFunctor
     interface Ender extends JSObject {
         void end();
     }
 
     /**
-     * Keyboards that complete words replace letters at will: what has changed is found by comparing
-     * with what stood there before. The field is filled with blanks, so that there is something to
-     * take back.
+     * Keyboards that complete words replace letters at any place, so a change is found by comparing
+     * with the former text. The field is filled with blanks, so that there are letters to remove.
      */
     @JSBody(
             params = {"taker", "ender"},
@@ -49,7 +48,7 @@ final class PageTyping {
                             + " taker(before.length - same, now.slice(same)); before = now; });")
     static native void listen(Taker taker, Ender ender);
 
-    /** Shows the keyboard, or hides it; called while a touch is handled, or browsers refuse. */
+    /** Shows or hides the keyboard. Must be called while a touch is handled, or browsers refuse. */
     @JSBody(
             params = "isOn",
             script =

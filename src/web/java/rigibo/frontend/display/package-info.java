@@ -1,4 +1,2 @@
-/**
- * The page's window and loop, beside which the game's own input, clock, curtain and toast stand.
- */
+/** The page's window and loop, used with the game's own input, clock, curtain and toast. */
 package rigibo.frontend.display;

@@ -12,12 +12,12 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The two-dimensional canvas that lies over that of WebGL. What is handed to the browser again and
- * again, colours and words, is converted once.
+ * The two-dimensional canvas above that of WebGL. Colours and words that are passed to the browser
+ * again and again are converted once.
  */
 public final class Paper {
 
-    /** Most texts that are kept: numbers that count up are new ones with every picture. */
+    /** Most texts that are cached: rising numbers are new texts in every picture. */
     private static final int MOST_TEXTS = 2_000;
 
     private static final Map<Color, JSString> COLORS = new HashMap<>();
@@ -25,14 +25,14 @@ public final class Paper {
 
     private static CanvasRenderingContext2D pen;
 
-    /** What the canvas was last told; it forgets it where its size changes. */
+    /** The canvas's present state; resizing it resets that. */
     private static Color filling;
 
     private static String style;
 
     private Paper() {}
 
-    /** Takes the canvas that is drawn on. */
+    /** Sets the canvas. */
     public static void use(CanvasRenderingContext2D context) {
         pen = context;
     }
@@ -62,7 +62,7 @@ public final class Paper {
         }
     }
 
-    /** Writes in a style of the browser's from now on. */
+    /** Sets the browser's style of letters. */
     static void writeIn(String wanted) {
         if (!wanted.equals(style)) {
             style = wanted;

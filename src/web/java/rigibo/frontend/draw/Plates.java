@@ -15,7 +15,7 @@ final class Plates {
         fill(Paper.pen(), x, y, width, height, Math.min(corner, Math.min(width, height) / 2));
     }
 
-    /** All is drawn. */
+    /** Does nothing: plates are drawn at once. */
     void draw(Layout layout) {}
 
     void free() {}

@@ -9,32 +9,32 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * A typeface of the page. Sizes are those of NanoVG: the height from the deepest to the highest of
- * the face, where the browser's are of the square that letters are designed in.
+ * A typeface of the page. Sizes are those of NanoVG, from the lowest to the highest point of the
+ * face; the browser's are those of the em square.
  */
 final class Typeface {
 
-    /** Size at which is measured, px of the browser. */
+    /** Size of measured texts, px of the browser. */
     private static final double SAMPLE = 100;
 
-    /** Most widths that are kept. */
+    /** Most widths that are cached. */
     private static final int MOST = 4_000;
 
     private final String name;
 
-    /** The style in which is measured. */
+    /** The style of measured texts. */
     private final String sample;
 
     /** The browser's size for each px of ours. */
     private final double share;
 
-    /** From the middle of the height down to the line that letters stand on, for each px. */
+    /** Distance from the middle of the height down to the baseline, for each px. */
     private final double drop;
 
-    /** Width of every letter of one px if all are of the same width, or 0. */
+    /** Width of every letter of size 1 px in a monospaced face, or 0. */
     private final double letter;
 
-    /** Widths of texts of one px. */
+    /** Widths of texts of size 1 px. */
     private final Map<String, Double> widths = new HashMap<>();
 
     private final Map<Double, String> styles = new HashMap<>();
@@ -71,7 +71,7 @@ final class Typeface {
         return size * widths.computeIfAbsent(words, this::measured);
     }
 
-    /** Whether another typeface writes none of the letters. */
+    /** Whether a text is printable ASCII, so that this typeface writes all of it. */
     private static boolean isPlain(String words) {
         for (int i = 0; i < words.length(); i++) {
             if (words.charAt(i) < ' ' || words.charAt(i) > '~') {

@@ -1,2 +1,2 @@
-/** Text, lines and plates of the page, by the browser's own two-dimensional canvas. */
+/** Text, lines and plates of the page, by the browser's two-dimensional canvas. */
 package rigibo.frontend.draw;

@@ -12,20 +12,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Plays drafts through beside the page, which goes on meanwhile. */
+/** Plays drafts to their end on a thread beside the page, which goes on meanwhile. */
 public final class Proving {
 
-    /** Name of the errand; its word is the draft. */
+    /** Name of the errand; its only word is the draft. */
     public static final String ERRAND = "proving";
 
     private static final String NAME = "draft";
     private static final String GAMES = "games";
     private static final String FOUND = "found";
 
-    /** Words by which a problem is told. */
+    /** Number of words for a problem. */
     private static final int WORDS = 7;
 
-    /** Between the values of a problem, none of which has it. */
+    /** Separator of the values of a problem, which none of them contains. */
     private static final String APART = "\n";
 
     private Optional<Aside> aside = Optional.empty();
@@ -42,7 +42,7 @@ public final class Proving {
         }
     }
 
-    /** Plays a draft, and tells the page what was found; called by the thread beside it. */
+    /** Plays a draft and reports the findings to the page; called by the thread beside it. */
     public static void prove(String text) {
         List<String> words = new ArrayList<>(List.of(FOUND));
         LevelProof.problems(NAME, text, games -> Aside.tell(List.of(GAMES, String.valueOf(games))))
@@ -76,7 +76,7 @@ public final class Proving {
             return;
         }
         close();
-        // A thread that failed has found nothing out.
+        // A thread that failed has no findings.
         if (!words.isEmpty()) {
             List<Problem> problems = new ArrayList<>();
             for (int at = 1; at < words.size(); at += WORDS) {
@@ -90,12 +90,12 @@ public final class Proving {
         return aside.isPresent();
     }
 
-    /** Games that were played for the present proof, or the last one. */
+    /** Games played for the present proof, or the last one. */
     long games() {
         return games;
     }
 
-    /** Hands over the findings as soon as there are any; returns whether there were. */
+    /** Passes the findings on as soon as there are any; returns whether there were. */
     boolean tell(Inspection inspection) {
         boolean isDone = found.isPresent();
         found.ifPresent(problems -> inspection.played(draft, problems));

@@ -22,7 +22,7 @@ final class Registered {
         return ALL;
     }
 
-    /** A new one, for exhibits hold their bodies. */
+    /** A new exhibit each time, since exhibits hold their bodies. */
     private static Exhibit anew(Class<? extends Exhibit> type) {
         for (Exhibit exhibit : ServiceLoader.load(Exhibit.class)) {
             if (exhibit.getClass() == type) {

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 
-/** The lock of a folder of the page, which nobody else writes to. */
+/** Stands in for the lock of a folder; no other program writes to the page's folders. */
 public final class FolderLock {
 
     /** The work done under the lock. */
@@ -15,7 +15,7 @@ public final class FolderLock {
     /** The lock of a folder. */
     public FolderLock(Path folder, Duration patience) {}
 
-    /** Works at once. */
+    /** Does the work at once. */
     public boolean during(Work work) throws IOException {
         work.run();
         return true;

@@ -3,7 +3,7 @@ package rigibo.frontend.save;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 
-/** Files that were left half-written, of which a page has none. */
+/** Stands in for files left half-written, of which a page has none. */
 final class Leftovers {
 
     private Leftovers() {}

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 
 /**
- * A file of the page and its previous version. Files are in memory, from where they reach the
- * browser's storage whole.
+ * A file of the page and its previous version. Files are in memory, and are copied to the browser's
+ * storage as a whole.
  *
  * @param file its path
  */

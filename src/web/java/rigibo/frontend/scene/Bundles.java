@@ -13,14 +13,14 @@ import java.util.Map;
 import java.util.Properties;
 import java.util.ResourceBundle;
 
-/** Texts by keys, from properties files among those that the page has brought along. */
+/** Texts by keys, from the properties files of the page. */
 public final class Bundles {
 
     private static final Map<String, ResourceBundle> READ = new HashMap<>();
 
     private Bundles() {}
 
-    /** The texts in a language; where it has none, those without a language. */
+    /** The texts in a language; for missing ones, those without a language. */
     public static ResourceBundle of(String name, Locale language) {
         Path place = Path.of(System.getProperty("rigibo.home"), "words");
         Path common = place.resolve(name + ".properties");
@@ -28,12 +28,12 @@ public final class Bundles {
         return READ.computeIfAbsent(own.toString(), any -> new Texts(common, own));
     }
 
-    /** A language's texts, and beneath them those without a language. */
+    /** A language's texts, backed by those without a language. */
     private static final class Texts extends ResourceBundle {
 
         private static final char MOST_PLAIN = 0xff;
 
-        /** Makes five hexadecimal digits of a character's four. */
+        /** Added to a character, so that all but the first of its hexadecimal digits are four. */
         private static final int ESCAPE = 0x10000;
 
         private final Properties texts = new Properties();
@@ -50,7 +50,7 @@ public final class Bundles {
             }
         }
 
-        /** TeaVM's {@link Properties} cut characters to eight bits, but for those of escapes. */
+        /** Escapes other characters, since TeaVM's {@link Properties} cut them to eight bits. */
         private static String escaped(String text) {
             StringBuilder escaped = new StringBuilder();
             for (char letter : text.toCharArray()) {

@@ -10,12 +10,12 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The browser's Web Audio, with a voice for each that was asked for, and one for rolling. Browsers
- * let a page sound once the player has pressed something.
+ * The browser's Web Audio, with the number of voices asked for and one more for rolling. Browsers
+ * allow sound only after the player has pressed a key or button.
  */
 final class Device {
 
-    /** The values of a sample that stand for 1. */
+    /** The value of a sample that means 1. */
     private static final float FULL_SCALE = 32768;
 
     private final JSObject context = context();
@@ -49,8 +49,8 @@ final class Device {
     }
 
     /**
-     * Starts a sample on a voice, in place of what it plays; none before the browser lets the page
-     * sound.
+     * Starts a sample on a voice, in place of its present one; does nothing until the browser
+     * allows sound.
      */
     void play(int voice, Sample sample, double gain, double pitch) {
         if (voices[voice] != null) {
@@ -59,12 +59,12 @@ final class Device {
         voices[voice] = start(context, volume, buffers.get(sample), gain, pitch, false);
     }
 
-    /** How loud and how fast the rumble is from now on. */
+    /** Sets volume and speed of the rumble. */
     void roll(double gain, double pitch) {
         change(rolling, gain, pitch);
     }
 
-    /** What all of it is multiplied with from now on, 0 to 1. */
+    /** Sets the factor of all volumes, 0 to 1. */
     void volume(double wanted) {
         set(volume, wanted);
     }

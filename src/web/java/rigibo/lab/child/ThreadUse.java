@@ -1,16 +1,16 @@
 package rigibo.lab.child;
 
-/** What is known in a page of the thread that asks: the time. */
+/** Stands in for measurements of a thread; a page knows the time only. */
 public final class ThreadUse {
 
     private ThreadUse() {}
 
-    /** Time of the wall, ns. */
+    /** Wall-clock time, ns. */
     public static long nanos() {
         return System.nanoTime();
     }
 
-    /** Browsers do not tell. */
+    /** Returns 0, since browsers do not report allocations. */
     public static long bytes() {
         return 0;
     }

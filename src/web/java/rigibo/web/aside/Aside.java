@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * A thread that does one errand beside the page: a worker of the browser, which runs this very
+ * A thread that does one errand beside the page: a worker of the browser, which runs this same
  * program with the words of the errand as its arguments.
  */
 public final class Aside {
@@ -20,7 +20,7 @@ public final class Aside {
         this.worker = worker;
     }
 
-    /** Takes words from the browser. */
+    /** Receives words from the browser. */
     @JSFunctor
     interface Taker extends JSObject {
         void take(String[] words);
@@ -29,7 +29,7 @@ public final class Aside {
     /**
      * Begins an errand.
      *
-     * @param told what the thread tells, each time some words; none at all if it has failed
+     * @param told receives each report of the thread, some words; an empty list if it failed
      */
     public static Aside begin(String errand, List<String> words, Consumer<List<String>> told) {
         List<String> all = new ArrayList<>(List.of(errand));
@@ -42,7 +42,7 @@ public final class Aside {
         end(worker);
     }
 
-    /** Tells the page some words; called by the thread. */
+    /** Reports some words to the page; called by the thread. */
     public static void tell(List<String> words) {
         post(words.toArray(new String[0]));
     }

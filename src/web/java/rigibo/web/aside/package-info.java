@@ -1,5 +1,5 @@
 /**
- * Threads beside the page's own. They share nothing with it: an errand and what is told of it are
- * words. Knows nothing of the game.
+ * Threads beside the page's own. They share no memory with it: errands and reports are words. Knows
+ * nothing of the game.
  */
 package rigibo.web.aside;

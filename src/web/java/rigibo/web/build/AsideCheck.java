@@ -21,7 +21,7 @@ final class AsideCheck {
 
     private AsideCheck() {}
 
-    /** Says how it went; returns whether the level is as long as that of the JVM. */
+    /** Makes the level and prints the result; returns whether the level is the JVM's. */
     static boolean isMade(DevTools page) throws IOException, InterruptedException {
         Generated here = new Generator().level(SEED).orElseThrow();
         String wanted = "made " + SEED + " " + here.text().length();

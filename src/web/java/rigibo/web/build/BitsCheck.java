@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 
-/** Compares what a program prints in a browser with what it prints on the JVM. */
+/** Compares the output of a program in a browser with that on the JVM. */
 final class BitsCheck {
 
     private final String what;
@@ -30,16 +30,18 @@ final class BitsCheck {
     /**
      * Runs a program on the JVM.
      *
-     * @param what its lines tell of
+     * @param what subject of its lines
      * @param page that runs it in a browser
-     * @param mark what its lines begin with
+     * @param mark beginning of its lines
      */
     static BitsCheck of(String what, String page, String mark, Printing program)
             throws IOException {
         return new BitsCheck(what, page, mark, onJvm(program, mark));
     }
 
-    /** Says how many are alike in a browser, and which are not; returns whether all are. */
+    /**
+     * Prints how many lines are equal in a browser, and the others; returns whether all are equal.
+     */
     boolean compare(PageReader browser, Path folder) throws IOException, InterruptedException {
         List<String> there;
         try (LocalServer server = new LocalServer(folder, 0)) {

@@ -9,19 +9,19 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/**
- * Chromium, or a browser of its kind, on this machine, started without a window and with a profile
- * of its own.
- */
+/** Chromium, or a browser based on it, on this machine, headless and with a profile of its own. */
 final class Browser implements PageReader {
 
     private static final List<String> NAMES =
             List.of("chromium", "chromium-browser", "google-chrome");
 
-    /** The longest programs take a quarter of an hour on a machine at rest. */
+    /**
+     * Longest run of a page, min: the longest programs take a quarter of an hour on an idle
+     * machine.
+     */
     private static final int MOST_MINUTES = 60;
 
-    /** How long a browser may take to start. */
+    /** Most looks for a browser that is starting. */
     private static final int MOST_TRIES = 600;
 
     private static final int TRY_MILLIS = 100;
@@ -32,7 +32,7 @@ final class Browser implements PageReader {
         this.program = program;
     }
 
-    /** The first that is on the path, if there is any. */
+    /** The first browser on the path; empty if there is none. */
     static Optional<Browser> find() {
         return OnPath.first(NAMES).map(Browser::new);
     }
@@ -49,7 +49,7 @@ final class Browser implements PageReader {
         }
     }
 
-    /** Opens an empty page that a program drives, without a window. */
+    /** Opens an empty headless page, driven by a program. */
     Window open() throws IOException, InterruptedException {
         return open("about:blank");
     }
@@ -64,8 +64,8 @@ final class Browser implements PageReader {
                                 "--enable-unsafe-swiftshader",
                                 "--use-angle=swiftshader",
                                 "--ignore-gpu-blocklist",
-                                // Without a graphics card all but WebGL is faster in plain
-                                // software.
+                                // Without a graphics card, plain software is faster for all but
+                                // WebGL.
                                 "--disable-accelerated-2d-canvas",
                                 "--disable-gpu-rasterization",
                                 "--disable-gpu-compositing",
@@ -82,7 +82,7 @@ final class Browser implements PageReader {
         return new Window(process, port(process, profile.resolve("DevToolsActivePort")));
     }
 
-    /** The browser writes the port that it listens at to a file once it does. */
+    /** The port at which the browser listens; it writes that to a file. */
     private static int port(Process process, Path file) throws IOException, InterruptedException {
         for (int tries = 0; tries < MOST_TRIES && process.isAlive(); tries++) {
             List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of();
@@ -96,7 +96,7 @@ final class Browser implements PageReader {
     }
 
     /**
-     * A browser that is open.
+     * An open browser.
      *
      * @param port at which it is driven
      */

@@ -18,12 +18,12 @@ final class DevTools implements Page {
     private static final Pattern SOCKET = Pattern.compile("\"webSocketDebuggerUrl\": *\"([^\"]+)");
     private static final Pattern URL = Pattern.compile("\"request\":\\{\"url\":\"([^\"]*)\"");
 
-    /** A page that says nothing for so long is broken. */
+    /** Longest silence of a page, s; after it the page counts as broken. */
     private static final int MOST_SECONDS = 60;
 
     /**
-     * Time from a touch to what becomes of it next, s: a browser that is late must not take a short
-     * touch for a long one.
+     * Time between the events of a touch, s: a late browser must not take a short touch for a long
+     * one.
      */
     private static final double BETWEEN_TOUCHES = 0.02;
 
@@ -31,7 +31,7 @@ final class DevTools implements Page {
     private final List<String> complaints = new ArrayList<>();
     private final Wire wire;
 
-    /** When a finger last did something, s since 1970. */
+    /** Time of the last touch event, s since 1970. */
     private double touched = System.currentTimeMillis() / 1e3;
 
     /** Opens an empty page in a browser that listens at a port. */
@@ -77,12 +77,12 @@ final class DevTools implements Page {
         size(width, height, 1, false);
     }
 
-    /** Makes the page as large as a window, with a number of pixels for each of the page's. */
+    /** Sets the size of the page, and the number of screen pixels for each of its own. */
     void size(int width, int height, double ratio) throws IOException, InterruptedException {
         size(width, height, ratio, false);
     }
 
-    /** Makes the page as large as that of a phone that is touched, px. */
+    /** Sets the size of the page to that of a phone with a touch screen, px. */
     void phone(int width, int height) throws IOException, InterruptedException {
         size(width, height, 1, true);
         send("Emulation.setTouchEmulationEnabled", "\"enabled\":true");
@@ -119,23 +119,23 @@ final class DevTools implements Page {
                         + Wire.quoted(script));
     }
 
-    /** Fingers are down at points of the page, the last of them only now. */
+    /** Puts fingers down at points of the page; only the last of them is new. */
     void down(Spot... points) throws IOException, InterruptedException {
         touch("touchStart", points);
     }
 
-    /** Fingers slide to points of the page. */
+    /** Moves fingers to points of the page. */
     void slide(Spot... points) throws IOException, InterruptedException {
         touch("touchMove", points);
     }
 
-    /** A finger slides to a point of the page, and is lifted there. */
+    /** Moves a finger to a point of the page and lifts it there. */
     void lift(Spot point) throws IOException, InterruptedException {
         slide(point);
         lift();
     }
 
-    /** All fingers are lifted. */
+    /** Lifts all fingers. */
     void lift() throws IOException, InterruptedException {
         touch("touchEnd");
     }

@@ -13,31 +13,31 @@ import java.io.IOException;
 
 /**
  * Makes a level by touch: a ball on a box on the platform, drawn while the draft is enlarged, with
- * a name of its own. It is settled, played, saved, and sent as a code that is solved here.
+ * a name. The level is settled, played and saved, and its code is solved here.
  */
 final class EditorCheck {
 
     private static final String NAME = "Made by touch";
 
-    /** Where a new level's ball and platform are, m. */
+    /** Positions of a new level's ball and platform, m. */
     private static final double BALL_X = 2;
 
     private static final double BALL_Y = 2.55;
     private static final double PLATFORM_X = 7;
 
-    /** Time until the ball is held for long enough, and the verdict is told, steps. */
+    /** Steps until the ball was held long enough and the verdict is shown. */
     private static final int UNTIL_SOLVED = 360;
 
-    /** Time until what was drawn has come to rest, steps. */
+    /** Steps until the drawn bodies are at rest. */
     private static final int UNTIL_SETTLED = 240;
 
-    /** Time until a new level lets a box be clicked, steps. */
+    /** Steps until a new level allows a click on a box. */
     private static final int UNTIL_CLICKED = 72;
 
-    /** Half a minute. */
+    /** Longest run, steps: half a minute. */
     private static final int MOST_STEPS = 1800;
 
-    /** What the page copies is kept where it can be asked for. */
+    /** Script that stores the page's copied texts where the check can read them. */
     private static final String CLIPBOARD =
             "navigator.clipboard.writeText = text => { window.copied = text; return"
                     + " Promise.resolve(); }; 1";
@@ -56,7 +56,10 @@ final class EditorCheck {
         words = phone.words();
     }
 
-    /** Says how it went; returns whether the level was kept, and its code is won as it was. */
+    /**
+     * Makes the level and prints the result; returns whether the level was saved and its code is
+     * won in the same way.
+     */
     boolean isLevelMade() throws IOException, InterruptedException {
         phone.open("editor");
         phone.page().value(CLIPBOARD);
@@ -75,7 +78,7 @@ final class EditorCheck {
         return isEnlarged && isSaved && isWon && isRefusalTold;
     }
 
-    /** Whether a browser that lets nothing be copied is not taken for one that does. */
+    /** Whether the page reports that a browser refused to copy. */
     private boolean isRefusalTold() throws IOException, InterruptedException {
         phone.page().value(REFUSAL);
         code();
@@ -93,7 +96,7 @@ final class EditorCheck {
         phone.tap(told.substring(0, told.indexOf('(')));
     }
 
-    /** A name of its own, by the keyboard of the screen. */
+    /** Names the level, by the screen's keyboard. */
     private void name() throws IOException, InterruptedException {
         tab("fields");
         phone.tap(words.of("editor.title"));
@@ -120,7 +123,7 @@ final class EditorCheck {
         phone.go(UNTIL_SETTLED);
     }
 
-    /** Learns how large the draft is seen, before anything of it is moved. */
+    /** Measures the enlargement of the draft before a part of it is moved. */
     private void look() throws IOException, InterruptedException {
         phone.goUntilTold();
         ball = phone.place(words.of("editor.ball"));
@@ -128,7 +131,7 @@ final class EditorCheck {
         scale = (platform.x() - ball.x()) / (PLATFORM_X - BALL_X);
     }
 
-    /** Where a point of the world, m, is on the page. */
+    /** The place on the page of a point of the world, m. */
     private Page.Spot at(double x, double y) {
         return ball.plus(scale * (x - BALL_X), scale * (BALL_Y - y));
     }
@@ -154,7 +157,7 @@ final class EditorCheck {
         phone.tap(words.of("editor.code"));
     }
 
-    /** Whether the level of a code is sound, and won by the clicks that the page has kept. */
+    /** Whether the level of a code is valid and won by the clicks that the page has stored. */
     private static boolean isWon(String code) throws IOException {
         String text = DraftFiles.ofCode(code).draft().toString();
         Level level = new LevelLoader().parse(NAME, text).level().orElseThrow();

@@ -13,8 +13,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Firefox on this machine, started without a window and with a profile of its own. It prints no
- * page, so that the page itself posts what it has to say.
+ * Firefox on this machine, headless and with a profile of its own. It cannot print a page, so the
+ * page itself posts its output.
  */
 final class Firefox implements PageReader {
 
@@ -22,15 +22,15 @@ final class Firefox implements PageReader {
 
     private static final int MOST_MINUTES = 10;
 
-    /** How long it may take to start. */
+    /** Most looks for a browser that is starting. */
     private static final int MOST_TRIES = 600;
 
     private static final int TRY_MILLIS = 100;
 
-    /** Where it listens, in the file that it writes once it does. */
+    /** The port in the file that Firefox writes when it listens. */
     private static final Pattern PORT = Pattern.compile("\"ws_port\": *(\\d+)");
 
-    /** Nothing is asked of any host but ours. */
+    /** Settings that prevent requests to other hosts. */
     private static final String SETTINGS =
             """
             user_pref("app.normandy.enabled", false);
@@ -55,7 +55,7 @@ final class Firefox implements PageReader {
         this.program = program;
     }
 
-    /** The first that is on the path, if there is any. */
+    /** The first Firefox on the path; empty if there is none. */
     static Optional<Firefox> find() {
         return OnPath.first(NAMES).map(Firefox::new);
     }
@@ -72,7 +72,7 @@ final class Firefox implements PageReader {
         }
     }
 
-    /** Opens a window that a program drives. */
+    /** Opens a window driven by a program. */
     Browser.Window open() throws IOException, InterruptedException {
         Path profile = profile();
         Process process = start(profile, "--remote-debugging-port=0");

@@ -14,8 +14,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Writes the functions by which a program calls the page into a file, where the browser reads them:
- * the program would otherwise make them of texts, which a strict policy forbids.
+ * Writes the functions by which a program calls the page into a file that the browser reads.
+ * Otherwise the program would make them of texts, which a strict policy forbids.
  */
 @After(JSOPlugin.class)
 public final class FunctionTable implements TeaVMPlugin {

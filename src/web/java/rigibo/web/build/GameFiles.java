@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The files that the game takes along into its page: levels, shaders and words in one text, which
- * {@code rigibo.web.game.Brought} reads, and the fonts.
+ * The game's files in its page: levels, shaders and words in one text, which {@code
+ * rigibo.web.game.Brought} reads, and the fonts.
  */
 final class GameFiles {
 
@@ -27,7 +27,7 @@ final class GameFiles {
         this.home = home;
     }
 
-    /** Files that show whether the bits are the same: levels, and runs of them. */
+    /** Writes the files for comparing bits: levels, and runs of them. */
     static void writeRuns(Path home, Path runs, Path to) throws IOException {
         GameFiles files = new GameFiles(home);
         files.add("levels", home.resolve("levels"), ".json");
@@ -49,7 +49,7 @@ final class GameFiles {
         font("JetBrainsMono-LICENCE.txt", folder.resolve("numbers-licence.txt"));
     }
 
-    /** The sources of exhibits, under their names in the checkout. */
+    /** Adds the sources of exhibits, under their names in the checkout. */
     private void addSources() throws IOException {
         for (Found found : Exhibits.all()) {
             String text = Files.readString(home.resolve(found.source()));
@@ -57,7 +57,7 @@ final class GameFiles {
         }
     }
 
-    /** The page has no schema to hold them against. */
+    /** Validates the levels, since the page has no schema. */
     private static void requireSoundLevels() throws IOException {
         LevelLoader loader = new LevelLoader();
         for (Path file : LevelShelf.files()) {
@@ -68,7 +68,7 @@ final class GameFiles {
         }
     }
 
-    /** Words are called by their bundle's whole name. */
+    /** Adds a bundle of words under its full name. */
     private void add(String place, Path from, String ending) throws IOException {
         String before = place.equals("words") ? "rigibo." : "";
         for (Path file : files(from, ending)) {
@@ -84,7 +84,7 @@ final class GameFiles {
         }
     }
 
-    /** A font, or the licence that goes with it. */
+    /** Copies a font, or its licence. */
     private void font(String name, Path to) throws IOException {
         Path from = home.resolve("assets/fonts").resolve(name);
         Files.copy(from, to, StandardCopyOption.REPLACE_EXISTING);

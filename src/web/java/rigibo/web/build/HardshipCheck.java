@@ -5,8 +5,8 @@ import rigibo.frontend.puzzle.level.Level;
 import java.io.IOException;
 
 /**
- * Opens the page where the browser lacks or refuses something. A sentence says so; where only
- * nothing is kept, a level is solved all the same.
+ * Opens the page in browsers that lack or refuse a feature. A sentence says so; if only storage is
+ * refused, a level is still solved.
  */
 final class HardshipCheck {
 
@@ -27,7 +27,7 @@ final class HardshipCheck {
 
     private static final String NO_WEB_ASSEMBLY = "delete window.WebAssembly;";
 
-    /** The sentence that the page shows in place of the game, once it does. */
+    /** The sentence that the page shows in place of the game, when it does. */
     private static final String PROBLEM =
             "new Promise(done => { const look = () => { const told ="
                     + " document.getElementById('problem'); told && !told.hidden ?"
@@ -36,13 +36,13 @@ final class HardshipCheck {
     private final Phone phone;
     private final Level level;
 
-    /** Plays a level on a phone. */
+    /** The check of a level on a phone. */
     HardshipCheck(Phone phone, Level level) {
         this.phone = phone;
         this.level = level;
     }
 
-    /** Says how it went; returns whether all that is missing was told. */
+    /** Runs the check and prints the result; returns whether all refusals were reported. */
     boolean isBorne() throws IOException, InterruptedException {
         boolean isDenialTold = isPlayedWith(DENIED);
         boolean isFullTold = isPlayedWith(FULL);
@@ -57,7 +57,7 @@ final class HardshipCheck {
         return isDenialTold && isFullTold && isKeptLater && isGraphicsTold && isAssemblyTold;
     }
 
-    /** Whether a level is solved, and the player is told that nothing is kept. */
+    /** Whether a level is solved and the player is told that results are not stored. */
     private boolean isPlayedWith(String script) throws IOException, InterruptedException {
         phone.openWith(script, level.id());
         new PhoneCheck(phone).play(level);

@@ -3,7 +3,7 @@ package rigibo.web.build;
 import org.teavm.extension.spi.substitution.SimpleSubstitutionPolicy;
 import org.teavm.extension.spi.substitution.SubstitutionSink;
 
-/** Names the classes of Java's library that the page brings along. */
+/** Names the classes of Java's library that the page replaces. */
 public final class LibrarySubstitutes extends SimpleSubstitutionPolicy {
 
     private static final String OURS = "rigibo.web.library";

@@ -31,14 +31,14 @@ final class LocalServer implements AutoCloseable {
     private static final int FOUND = 200;
     private static final int NO_CONTENT = 204;
 
-    /** Where a page posts what it has to say. */
+    /** Address at which a page posts its output. */
     private static final String SAID = "/said";
 
     private final Path folder;
     private final HttpServer server;
     private final CompletableFuture<String> said = new CompletableFuture<>();
 
-    /** Serves at a port, or at any that is free where it is 0. */
+    /** Serves at a port, or at any free one if it is 0. */
     LocalServer(Path folder, int port) throws IOException {
         this.folder = folder.toAbsolutePath().normalize();
         server =
@@ -48,12 +48,12 @@ final class LocalServer implements AutoCloseable {
         server.start();
     }
 
-    /** Where a page of the folder is found. */
+    /** The address of a page of the folder. */
     String address(String page) {
         return "http://localhost:" + server.getAddress().getPort() + "/" + page;
     }
 
-    /** What a page posts first, once it does. */
+    /** The first post of a page. */
     Future<String> said() {
         return said;
     }

@@ -17,8 +17,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Calls methods of {@code rigibo.web.library.Missing} in place of those that TeaVM lacks, or has
- * with a mistake.
+ * Replaces calls of methods that TeaVM lacks, or has with an error, by calls of {@code
+ * rigibo.web.library.Missing}.
  */
 public final class MissingMethods implements ClassHolderTransformer {
 
@@ -78,7 +78,7 @@ public final class MissingMethods implements ClassHolderTransformer {
         return descriptor.substring(0, descriptor.indexOf(')') + 1);
     }
 
-    /** The object becomes the first argument. */
+    /** Makes the object of a call its first argument. */
     private static void callWithObject(InvokeInstruction call) {
         MethodReference called = call.getMethod();
         List<ValueType> signature = new ArrayList<>(List.of(called.getSignature()));

@@ -13,7 +13,7 @@ import rigibo.frontend.scene.Layout;
 
 import java.io.IOException;
 
-/** Plays levels by a mouse, in a window on a desk, by their stored solutions. */
+/** Plays levels by mouse in a desktop window, by their stored solutions. */
 final class MouseCheck {
 
     static final int WIDTH = 1280;
@@ -21,17 +21,17 @@ final class MouseCheck {
 
     private static final Layout LAYOUT = Layout.of(WIDTH, HEIGHT, 1);
 
-    /** Half a minute without a click loses every level. */
+    /** Longest play, steps: half a minute without a click loses every level. */
     private static final int MOST_STEPS = 60 * 60;
 
-    /** Steps after the verdict until it is kept. */
+    /** Steps from the verdict until the page has stored it. */
     private static final int APPLAUSE = 120;
 
     private final Page page;
     private final Stepped stepped;
     private final String address;
 
-    /** Plays in a page that opens an address. */
+    /** Plays in a page opened at an address. */
     MouseCheck(Page page, String address) throws IOException, InterruptedException {
         this.page = page;
         this.address = address;
@@ -39,14 +39,14 @@ final class MouseCheck {
         stepped = new Stepped(page);
     }
 
-    /** Opens a level and plays it as its solution says; whether the page kept it as solved. */
+    /** Opens a level and plays its solution; returns whether the page stored it as solved. */
     boolean isSolved(Level level) throws IOException, InterruptedException {
-        // Another part after the # alone would open no new page.
+        // Changing only the part after the # would not open a new page.
         page.open("about:blank");
         stepped.open(address + "#" + level.id());
         Recording run = Recording.of(level, level.solutions().get(0), Accuracy.GAME, MOST_STEPS);
         Playback here = new Playback(level, run.replay());
-        // The picture that begins makes the first step.
+        // The first picture makes the first step.
         here.step();
         Camera camera = new View(level).camera();
         while (here.game().outcome() == Outcome.RUNNING && here.game().steps() < MOST_STEPS) {
@@ -55,7 +55,7 @@ final class MouseCheck {
             if (ahead <= 0) {
                 page.click(spot(here, camera));
             }
-            // The act that is due is made by the first of the steps that follow.
+            // A due click comes before the first of the following steps.
             int steps = Math.max(1, Math.min(ahead, Stepped.AT_ONCE));
             here.stepTo(here.game().steps() + steps);
             stepped.go(steps);
@@ -67,7 +67,7 @@ final class MouseCheck {
         return isKept;
     }
 
-    /** Where on the page the next target is now. */
+    /** The place on the page of the next target. */
     private static Page.Spot spot(Playback here, Camera camera) {
         Target next = here.game().target(here.upcoming().orElseThrow().target()).orElseThrow();
         return new Page.Spot(

@@ -9,10 +9,13 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.zip.CRC32;
 
-/** What keeps the page's files in the browser, so that it opens without network. */
+/**
+ * Writes the script that stores the page's files in the browser, so that it opens without a
+ * network.
+ */
 final class Offline {
 
-    /** What the game asks for; the page itself is asked for by its folder. */
+    /** Files that the game loads; the page itself is loaded by its folder. */
     private static final List<String> FILES =
             List.of(
                     "index.html",
@@ -30,7 +33,7 @@ final class Offline {
 
     private Offline() {}
 
-    /** Writes it; a page with other files is another version. */
+    /** Writes the script; a page with other files is another version. */
     static void write(Path folder) throws IOException {
         CRC32 sum = new CRC32();
         for (String file : FILES) {

@@ -7,13 +7,12 @@ import java.nio.file.Path;
 import java.util.regex.Pattern;
 
 /**
- * Visits the page once and stops its server: the page opens again from what the browser has kept,
- * and a level is solved there. At the first visit the browser finds nothing that keeps it from
- * installing the page.
+ * Visits the page once and stops its server. The page then opens from the browser's storage, and a
+ * level is solved there. At the first visit the browser must find the page installable.
  */
 final class OfflineCheck {
 
-    /** Once what keeps the page's files answers for it. */
+    /** Script that waits until the stored files answer for the page. */
     private static final String KEPT =
             "navigator.serviceWorker.ready.then(() => new Promise(done => { const look = () =>"
                     + " navigator.serviceWorker.controller ? done('kept') : setTimeout(look, 20);"
@@ -22,7 +21,7 @@ final class OfflineCheck {
     private static final String BY_WORKER =
             "performance.getEntriesByType('navigation')[0].workerStart > 0";
 
-    /** What browsers ask of a page that is installed, each as it stands in the manifest. */
+    /** The manifest's members that browsers require for installing a page. */
     private static final Pattern COMPLETE =
             Pattern.compile(
                     "(?s)(?=.*\"name\")(?=.*\"short_name\")(?=.*\"start_url\")(?=.*\"display\":"
@@ -30,7 +29,9 @@ final class OfflineCheck {
 
     private OfflineCheck() {}
 
-    /** Says how it went; returns whether a level was solved without a server. */
+    /**
+     * Runs the check and prints the result; returns whether a level was solved without a server.
+     */
     static boolean isPlayed(Browser.Window window, Path folder, Path pictures, Level level)
             throws IOException, InterruptedException {
         Phone phone;

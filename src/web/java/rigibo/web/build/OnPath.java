@@ -7,12 +7,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** Programs that the path leads to. */
+/** Finds programs on the path. */
 final class OnPath {
 
     private OnPath() {}
 
-    /** The first of these names that is there. */
+    /** The first of these names that is on the path. */
     static Optional<Path> first(List<String> names) {
         String[] places = System.getenv("PATH").split(File.pathSeparator);
         return names.stream()

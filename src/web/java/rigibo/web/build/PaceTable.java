@@ -9,25 +9,25 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * How many pictures a second the page makes in Chromium, what its own work for one takes, and
- * whether the world keeps real time, with all of the processor and with a quarter of it. Where
- * WebGL is computed by the processor, pixels hide the rest: so once with all of them, and once with
- * next to none, which leaves the page all of its work and a graphics card's undone.
+ * Measures the page in Chromium: pictures a second, its own work for a picture, and whether the
+ * world keeps real time, with the whole processor and with a quarter of it. If WebGL runs on the
+ * processor, pixels hide everything else. So each is measured with all pixels and with very few,
+ * which leave all of the page's work, but none of the graphics card's.
  */
 final class PaceTable {
 
-    /** Time until a scene is warm, and that of which pictures are counted, ms. */
+    /** Time until a scene is warm, and time in which pictures are counted, ms. */
     private static final int WARMING = 6000;
 
     private static final int MEASURED = 10_000;
 
-    /** Chromium slows the page down by these. */
+    /** Factors by which Chromium slows the page down. */
     private static final List<Integer> SLOWER = List.of(1, 4);
 
-    /** Pixels for each length of one in the page: as many as it has, and a hundredth of those. */
+    /** Screen pixels for each pixel of the page: the usual number, and few. */
     private static final List<Double> RATIOS = List.of(1.0, 0.1);
 
-    /** Notes the work of each picture, ms, and sums up the share of real time over time. */
+    /** Script that records the work of each picture, ms, and integrates the share of real time. */
     private static final String COUNTING =
             "const ask = window.requestAnimationFrame.bind(window);"
                     + " window.works = []; window.real = 0; let last = performance.now();"
@@ -36,7 +36,10 @@ final class PaceTable {
                     + " works.push(end - begin); real += (end - last) * rigiboPace(); last = end;"
                     + " });";
 
-    /** Pictures a second, the median and the 95th percentile of the work, ms, and the pace. */
+    /**
+     * Script for pictures a second, the median and the 95th percentile of the work, ms, and the
+     * pace.
+     */
     private static final String COUNTED =
             "new Promise(done => setTimeout(() => {"
                     + " works.length = 0; real = 0; const begin = performance.now();"
@@ -53,7 +56,7 @@ final class PaceTable {
 
     private PaceTable() {}
 
-    /** Measures one scene after the other, and prints the table. */
+    /** Measures the scenes one after the other and prints the table. */
     static void print(Browser browser, Path folder) throws IOException, InterruptedException {
         Level most =
                 PageCheck.levels().stream()

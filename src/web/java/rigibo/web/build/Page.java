@@ -6,28 +6,28 @@ import java.util.List;
 /** A page in a browser that a program drives. */
 interface Page {
 
-    /** Makes the page as large as a window, px. */
+    /** Sets the size of the page, px. */
     void size(int width, int height) throws IOException, InterruptedException;
 
-    /** Runs a script at the beginning of each document that is opened from now on. */
+    /** Runs a script at the beginning of each document opened later. */
     void begin(String script) throws IOException, InterruptedException;
 
     /** Opens an address. */
     void open(String address) throws IOException, InterruptedException;
 
-    /** What an expression of JavaScript comes to, as text. */
+    /** The value of a JavaScript expression, as text. */
     String value(String script) throws IOException, InterruptedException;
 
-    /** The mouse points at a place of the page, and presses its left button there. */
+    /** Moves the mouse to a place of the page and presses its left button there. */
     void click(Spot at) throws IOException, InterruptedException;
 
     /** The page as a picture, a PNG. */
     byte[] picture() throws IOException, InterruptedException;
 
-    /** Every address that was asked for. */
+    /** All addresses that were requested. */
     List<String> requests();
 
-    /** What the page wrote to the console, and its errors. */
+    /** All output of the page to the console, and its errors. */
     List<String> complaints();
 
     /** Closes the page. */

@@ -12,9 +12,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 
 /**
- * Writes the folder of static files that is the page. Programs become WebAssembly: TeaVM's
- * JavaScript leaves out the parentheses of a + (b + c), which changes the last bit of sums
- * (decision 0128).
+ * Writes the page as a folder of static files. Programs become WebAssembly: TeaVM's JavaScript
+ * omits the parentheses of a + (b + c), which changes the last bit of sums (decision 0128).
  */
 final class PageBuild {
 
@@ -27,7 +26,7 @@ final class PageBuild {
         this.folder = folder;
     }
 
-    /** Makes the page of the game. */
+    /** Builds the page of the game. */
     void build() throws IOException, TeaVMToolException {
         Files.createDirectories(folder);
         StrictRuntime.write(folder.resolve("runtime.js"));
@@ -42,20 +41,20 @@ final class PageBuild {
         Offline.write(folder);
     }
 
-    /** Makes the page that shows whether recorded runs, and programs, have the JVM's bits. */
+    /** Builds the page that compares the bits of recorded runs and programs with the JVM's. */
     void buildBits(Path runs) throws IOException, TeaVMToolException {
         buildLines();
         GameFiles.writeRuns(HOME, runs, folder.resolve("bits.txt"));
         compile("rigibo.web.Bits", "bits");
     }
 
-    /** Makes the page that shows whether the hard cases have them. */
+    /** Builds the page that compares the bits of the hard cases with the JVM's. */
     void buildCases() throws IOException, TeaVMToolException {
         buildLines();
         compile("rigibo.web.CaseBits", "cases");
     }
 
-    /** Makes the page that times scenes, as WebAssembly and as JavaScript. */
+    /** Builds the page that times scenes, as WebAssembly and as JavaScript. */
     void buildTimes() throws IOException, TeaVMToolException {
         buildLines();
         compile("rigibo.web.Times", "times");
@@ -93,8 +92,8 @@ final class PageBuild {
         tool.setTargetFileName(file);
         tool.setOptimizationLevel(TeaVMOptimizationLevel.ADVANCED);
         tool.setObfuscated(true);
-        // No checks that make exceptions of wrong indices and nulls: WebAssembly stops there by
-        // itself, and steps take two thirds of the time (decision 0185).
+        // Without checks that turn wrong indices and nulls into exceptions: WebAssembly stops there
+        // by itself, and steps take two thirds of the time (decision 0185).
         tool.setStrict(false);
         tool.setAssertionsRemoved(true);
         tool.getTransformers().add(SignedZeros.class.getName());

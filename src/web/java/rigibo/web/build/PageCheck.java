@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Plays the page as players do: levels by touch, one made in the editor, one made beside the page,
- * what screen readers are told, without a server and without what browsers may lack. Nothing is
- * written to the console, and nothing is asked for beyond the page's folder.
+ * Plays the page like players: levels by touch, one made in the editor, one made by chance, with a
+ * screen reader, without a server and without features that browsers may lack. The page must not
+ * write to the console, nor load anything from outside its folder.
  */
 final class PageCheck {
 
@@ -52,7 +52,7 @@ final class PageCheck {
         return firsts;
     }
 
-    /** Plays levels; says how it went, and returns whether all is well. */
+    /** Plays levels and prints the results; returns whether all is well. */
     boolean isSound(List<Level> levels) throws IOException, InterruptedException {
         try (LocalServer server = new LocalServer(folder, 0);
                 Browser.Window window = browser.open()) {
@@ -83,7 +83,7 @@ final class PageCheck {
         return solved == levels.size();
     }
 
-    /** Plays levels by clicks in Firefox, if there is one; returns whether all were solved. */
+    /** Plays levels by clicks in Firefox, if it is installed; returns whether all were solved. */
     boolean isSoundInFirefox(List<Level> levels) throws IOException, InterruptedException {
         Optional<Firefox> firefox = Firefox.find();
         if (firefox.isEmpty()) {
@@ -107,7 +107,7 @@ final class PageCheck {
         }
     }
 
-    /** Says what was written to the console, and what was asked for outside. */
+    /** Prints output to the console and requests outside; returns whether there were none. */
     private static boolean isQuiet(
             List<String> requests, List<String> complaints, LocalServer server) {
         List<String> outside = requests.stream().filter(asked -> !isInside(asked, server)).toList();

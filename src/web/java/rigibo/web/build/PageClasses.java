@@ -11,13 +11,13 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Where TeaVM finds the classes of the page. What makes the page is the game itself, with the
- * libraries that it has on the desktop; in the page, classes of {@code src/web} stand in front of
- * those of the same name. Classes are run as they are here, and read in the page's order.
+ * The places where TeaVM finds the classes of the page. The page is made from the game's classes
+ * and the libraries of its desktop version; classes of {@code src/web} replace those of the same
+ * name. This program itself runs the desktop's classes, but reads them in the page's order.
  */
 final class PageClasses extends URLClassLoader {
 
-    /** Libraries that the page has as they are. */
+    /** Libraries that the page uses unchanged. */
     private static final List<String> LIBRARIES = List.of("teavm-", "threetenbp-", "jzlib-");
 
     private PageClasses(URL[] places) {
@@ -57,7 +57,7 @@ final class PageClasses extends URLClassLoader {
         }
     }
 
-    /** What is found in the page's places, before what is found in those of this program. */
+    /** Finds a resource in the page's places before those of this program. */
     @Override
     public URL getResource(String name) {
         URL own = findResource(name);

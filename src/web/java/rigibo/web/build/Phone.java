@@ -8,16 +8,16 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Pages in a browser as large as a phone, touched by fingers. */
+/** Pages in a browser of a phone's size, touched by fingers. */
 final class Phone {
 
     static final int WIDTH = 390;
     static final int HEIGHT = 844;
 
-    /** Pictures after which the page has told anew what it shows: 0.1 s, at four steps each. */
+    /** Pictures until the page has described its present state: 0.1 s, at four steps each. */
     private static final int UNTIL_TOLD = 2;
 
-    /** Where the control is whose name begins with a text. */
+    /** Script for the place of the control whose name begins with a text. */
     private static final String PLACE =
             "[...document.querySelectorAll('#controls > *')].filter(one =>"
                     + " one.getAttribute('aria-label').startsWith('%s')).map(one =>"
@@ -37,7 +37,7 @@ final class Phone {
     private Stepped stepped;
 
     /**
-     * A phone that opens pages at an address, and keeps pictures of them in a folder.
+     * A phone that opens pages at an address and stores pictures of them in a folder.
      *
      * @param port at which a browser is driven
      */
@@ -48,7 +48,10 @@ final class Phone {
         page = new DevTools(port);
     }
 
-    /** Leaves a page for a new one: after two fingers, Chromium 156 takes touches for clicks. */
+    /**
+     * Opens a new page in place of the old one: after two fingers, Chromium 156 takes touches for
+     * clicks.
+     */
     private void turn() throws IOException, InterruptedException {
         leave();
         page = new DevTools(port);
@@ -56,19 +59,19 @@ final class Phone {
         stepped = new Stepped(page);
     }
 
-    /** Closes the page that is open. */
+    /** Closes the open page. */
     void leave() throws IOException, InterruptedException {
         requests.addAll(page.requests());
         complaints.addAll(page.complaints());
         page.close();
     }
 
-    /** Every address that was asked for by pages that were left. */
+    /** All addresses that closed pages requested. */
     List<String> requests() {
         return requests;
     }
 
-    /** What pages that were left wrote to the console, and their errors. */
+    /** All output of closed pages to the console, and their errors. */
     List<String> complaints() {
         return complaints;
     }
@@ -77,24 +80,27 @@ final class Phone {
         return page;
     }
 
-    /** What the page says in the language that it is in. */
+    /** The words of the page's language. */
     Words words() throws IOException, InterruptedException {
         return new Words(page.value("document.documentElement.lang"));
     }
 
-    /** Opens the page at a scene, and draws the first picture. */
+    /** Opens the page at a scene and draws the first picture. */
     void open(String scene) throws IOException, InterruptedException {
         openWith("", scene);
     }
 
-    /** Opens it where a script has changed what the page finds. */
+    /** Opens it after a script has changed its environment. */
     void openWith(String script, String scene) throws IOException, InterruptedException {
         turn();
         page.begin(script);
         show(scene);
     }
 
-    /** What the page says in place of the game where a script has changed what it finds. */
+    /**
+     * The sentence that the page shows in place of the game after a script has changed its
+     * environment.
+     */
     String problemWith(String script, String found) throws IOException, InterruptedException {
         leave();
         page = new DevTools(port);
@@ -103,7 +109,7 @@ final class Phone {
         return page.value(found);
     }
 
-    /** Opens it for a player whose system moves little. */
+    /** Opens it for a player whose system asks for little motion. */
     void openCalmly(String scene) throws IOException, InterruptedException {
         turn();
         page.send(
@@ -116,22 +122,22 @@ final class Phone {
         stepped.open(address + "#" + scene);
     }
 
-    /** Makes so many steps. */
+    /** Makes a number of steps. */
     void go(int steps) throws IOException, InterruptedException {
         stepped.go(steps);
     }
 
-    /** Makes pictures until the page has told what it shows. */
+    /** Makes pictures until the page has described its present state. */
     void goUntilTold() throws IOException, InterruptedException {
         go(UNTIL_TOLD * Stepped.AT_ONCE);
     }
 
-    /** What the page tells and keeps. */
+    /** The page's descriptions and stored files. */
     Stepped stepped() {
         return stepped;
     }
 
-    /** Where the control is whose name begins so, px of the page. */
+    /** The place of the control whose name begins with a text, px of the page. */
     Page.Spot place(String name) throws IOException, InterruptedException {
         String found = page.value(String.format(PLACE, name));
         if (found.isEmpty()) {
@@ -141,7 +147,7 @@ final class Phone {
         return new Page.Spot(Double.parseDouble(xy[0]), Double.parseDouble(xy[1]));
     }
 
-    /** Touches the control whose name begins so. */
+    /** Touches the control whose name begins with a text. */
     void tap(String name) throws IOException, InterruptedException {
         Page.Spot at = place(name);
         page.down(at);
@@ -157,7 +163,7 @@ final class Phone {
         goUntilTold();
     }
 
-    /** A finger stays where it is, and a second one slides away from it or towards it. */
+    /** Holds one finger in place and moves a second one away from it or towards it. */
     void pinch(Page.Spot thumb, Page.Spot from, Page.Spot to)
             throws IOException, InterruptedException {
         page.down(thumb);
@@ -166,7 +172,7 @@ final class Phone {
         page.lift(thumb);
     }
 
-    /** Keeps a picture of the page. */
+    /** Stores a picture of the page. */
     void picture(String name) throws IOException, InterruptedException {
         Files.write(pictures.resolve(name + ".png"), page.picture());
     }

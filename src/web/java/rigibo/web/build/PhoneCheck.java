@@ -15,8 +15,8 @@ import rigibo.frontend.scene.Pinch;
 import java.io.IOException;
 
 /**
- * Plays levels by touch on a phone, by their stored solutions: a finger comes down in the very step
- * that was recorded. Before the last click of a level two fingers enlarge it.
+ * Plays levels by touch on a phone, by their stored solutions: a finger comes down in the exact
+ * step that was recorded. Before the last click of a level two fingers enlarge it.
  */
 final class PhoneCheck {
 
@@ -25,13 +25,13 @@ final class PhoneCheck {
     /** Steps after the verdict until all medals are stamped. */
     private static final int APPLAUSE = 120;
 
-    /** Half a minute without a click loses every level. */
+    /** Longest play, steps: half a minute without a click loses every level. */
     private static final int MOST_STEPS = 60 * 60;
 
-    /** Most steps after which we look whether the level is over. */
+    /** Most steps between two looks whether the level is over. */
     private static final int UNTOUCHED = 40;
 
-    /** How far two fingers are from each other before they enlarge a level, and then, px. */
+    /** Distance of two fingers before and after they enlarge a level, px. */
     private static final double NEAR = 60;
 
     private static final double FAR = 150;
@@ -42,7 +42,7 @@ final class PhoneCheck {
         this.phone = phone;
     }
 
-    /** Opens a level and plays it as its solution says; whether the page kept it as solved. */
+    /** Opens a level and plays its solution; returns whether the page stored it as solved. */
     boolean isSolved(Level level) throws IOException, InterruptedException {
         phone.open(level.id());
         play(level);
@@ -51,11 +51,11 @@ final class PhoneCheck {
         return isKept;
     }
 
-    /** Plays the level that the page shows as its solution says. */
+    /** Plays the level of the page by its solution. */
     void play(Level level) throws IOException, InterruptedException {
         Recording run = Recording.of(level, level.solutions().get(0), Accuracy.GAME, MOST_STEPS);
         Playback here = new Playback(level, run.replay());
-        // The picture that begins makes the first step.
+        // The first picture makes the first step.
         here.step();
         View view = new View(level);
         boolean isDown = false;
@@ -88,7 +88,7 @@ final class PhoneCheck {
         return here.game().clicks() == level.solutions().get(0).clicks().size() - 1;
     }
 
-    /** Two fingers, one of them at a point, enlarge the level on the page and here. */
+    /** Enlarges the level on the page and here by two fingers, one of them at a point. */
     private void enlarge(Page.Spot at, View view) throws IOException, InterruptedException {
         double up = at.y() > Phone.HEIGHT / 2.0 ? -1 : 1;
         Page.Spot from = at.plus(0, up * NEAR);
@@ -103,7 +103,7 @@ final class PhoneCheck {
                         (to.y() - from.y()) / 2 / LAYOUT.ratio()));
     }
 
-    /** Where on the page the next target is now. */
+    /** The place on the page of the next target. */
     private static Page.Spot spot(Playback here, Camera camera) {
         Target next = here.game().target(here.upcoming().orElseThrow().target()).orElseThrow();
         return new Page.Spot(
@@ -115,11 +115,11 @@ final class PhoneCheck {
         return here.upcoming().map(act -> act.step() - here.game().steps()).orElse(MOST_STEPS);
     }
 
-    /** Steps until a finger has to come down, or be lifted. */
+    /** Steps until a finger must come down or be lifted. */
     private static int steps(Playback here) {
         int ahead = ahead(here);
         int untilDown = Math.min(UNTOUCHED, ahead - Stepped.AT_ONCE);
-        // The act that is due is made by the first of the steps that follow.
+        // A due click comes before the first of the following steps.
         return untilDown > 0 ? untilDown : Math.max(1, ahead);
     }
 }

@@ -7,12 +7,12 @@ import org.teavm.model.CallLocation;
 
 import java.util.stream.Collectors;
 
-/** What the compiler finds missing in a browser, as text. */
+/** The compiler's problems with missing classes and methods, as text. */
 final class Problems {
 
     private Problems() {}
 
-    /** A line for each problem; empty where there is none. */
+    /** A line for each problem; empty if there is none. */
     static String of(ProblemProvider provider) {
         return provider.getProblems().stream()
                 .map(Problems::line)

@@ -5,28 +5,31 @@ import rigibo.frontend.scene.Words;
 import java.io.IOException;
 
 /**
- * Asks a page what it tells a screen reader: what happened, what its buttons are called, and that
- * nothing moves where the system wants little motion.
+ * Checks the page's descriptions for screen readers: the events, the names of buttons, and that
+ * there is no motion if the system asks for little.
  */
 final class ReaderCheck {
 
     private final Phone phone;
     private final Words words;
 
-    /** Asks a page in the language that it is in. */
+    /** A check in the page's language. */
     ReaderCheck(Phone phone) throws IOException, InterruptedException {
         this.phone = phone;
         words = phone.words();
     }
 
-    /** Whether the page, at the end of a level, has said that it is solved. */
+    /** Whether the page has reported, at the end of a level, that it is solved. */
     boolean isVerdictSaid() throws IOException, InterruptedException {
         String said = phone.stepped().said();
         System.out.println("said: " + said);
         return said.contains(words.of("puzzle.won"));
     }
 
-    /** Whether the menu's buttons have names and can be pressed, for a player who wants calm. */
+    /**
+     * Whether the menu's buttons have names and can be pressed, for a player who wants little
+     * motion.
+     */
     boolean isMenuRead() throws IOException, InterruptedException {
         phone.openCalmly("");
         DevTools page = phone.page();
@@ -45,7 +48,7 @@ final class ReaderCheck {
         return isNamed && calm.equals("true") && title.contains(words.of("menu.settings"));
     }
 
-    /** A name in the browser's tree for screen readers. */
+    /** A name in the browser's accessibility tree. */
     private String name(String key) {
         return "\"type\":\"computedString\",\"value\":\"" + words.of(key) + "\"";
     }

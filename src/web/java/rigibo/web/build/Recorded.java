@@ -12,7 +12,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** The stored solutions of all levels, played on the JVM and recorded as a player's runs are. */
+/** The stored solutions of all levels, played on the JVM and recorded like a player's runs. */
 final class Recorded {
 
     private Recorded() {}
@@ -20,7 +20,7 @@ final class Recorded {
     /** Most steps of a solution: five minutes. */
     private static final int MOST_STEPS = 5 * 60 * 60;
 
-    /** A folder with the best run of each level, as the game keeps it. */
+    /** Writes the best run of each level like the game; returns the folder. */
     static Path runs() throws IOException {
         Path folder = Files.createTempDirectory("rigibo-runs");
         LevelLoader loader = new LevelLoader();

@@ -18,8 +18,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Writes −x as −1 · x, which is the same for every double. TeaVM compiles it to 0 − x, which makes
- * +0 of +0 where Java makes −0.
+ * Replaces −x by −1 · x, which is equal for every double. TeaVM compiles −x to 0 − x, which is +0
+ * for +0, where Java's result is −0.
  */
 public final class SignedZeros implements ClassHolderTransformer {
 

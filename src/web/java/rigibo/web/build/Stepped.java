@@ -3,20 +3,20 @@ package rigibo.web.build;
 import java.io.IOException;
 
 /**
- * A page whose clock and pictures are a check's: each picture makes the steps that the check says,
- * however slow the machine is.
+ * A page whose clock and pictures are driven by a check: each picture makes the number of steps
+ * that the check asks for, however slow the machine is.
  */
 final class Stepped {
 
     /** Most steps that the page makes for a picture. */
     static final int AT_ONCE = 4;
 
-    /** A page that does not begin for so long is broken. */
+    /** Most looks for a page that is starting; after them it counts as broken. */
     private static final int MOST_TRIES = 400;
 
     private static final int TRY_MILLIS = 50;
 
-    /** A clock that stands still between pictures, half a step off the steps' own times. */
+    /** Script of a clock that stands still between pictures, half a step off the times of steps. */
     private static final String CLOCK =
             "let now = 1000, next = null; performance.now = () => now; window.requestAnimationFrame"
                 + " = made => { next = made; return 1; }; window.isReady = () => next !== null;"
@@ -27,13 +27,13 @@ final class Stepped {
 
     private final Page page;
 
-    /** Takes the clock of all that a page opens from now on. */
+    /** Replaces the clock of all documents that a page opens later. */
     Stepped(Page page) throws IOException, InterruptedException {
         this.page = page;
         page.begin(CLOCK);
     }
 
-    /** Opens an address, and draws the first picture. */
+    /** Opens an address and draws the first picture. */
     void open(String address) throws IOException, InterruptedException {
         page.open(address);
         for (int tries = 0; isLoading(); tries++) {
@@ -45,7 +45,7 @@ final class Stepped {
         page.value("window.begin()");
     }
 
-    /** What the page says in place of the game. */
+    /** The sentence that the page shows in place of the game. */
     String problem() throws IOException, InterruptedException {
         return page.value("document.getElementById('problem').textContent");
     }
@@ -55,19 +55,21 @@ final class Stepped {
     }
 
     /**
-     * Makes so many steps, and a picture after each {@link #AT_ONCE} of them; the browser itself
-     * need not show any but the last one.
+     * Makes a number of steps, with a picture after each {@link #AT_ONCE} of them; the browser may
+     * show only the last one.
      */
     void go(int steps) throws IOException, InterruptedException {
         page.value("window.go(" + steps + ")");
     }
 
-    /** What screen readers were told. */
+    /** The texts for screen readers. */
     String said() throws IOException, InterruptedException {
         return page.value("document.getElementById('said').textContent");
     }
 
-    /** Whether the page keeps a text of the player's in the browser, under a name with a part. */
+    /**
+     * Whether the page has stored a text of the player's in the browser, under a name with a part.
+     */
     boolean isKept(String part, String text) throws IOException, InterruptedException {
         keep();
         String found =
@@ -78,7 +80,7 @@ final class Stepped {
         return !page.value(found).equals("0");
     }
 
-    /** The page keeps what there is as when it is left, without waiting for its next look. */
+    /** Makes the page store its files as when it is left, without waiting for its next look. */
     void keep() throws IOException, InterruptedException {
         page.value("dispatchEvent(new Event('pagehide'))");
     }

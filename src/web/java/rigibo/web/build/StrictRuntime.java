@@ -9,8 +9,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * TeaVM's runtime, with other code where it makes functions of texts, so that the page needs no
- * {@code unsafe-eval}.
+ * TeaVM's runtime with other code in the place where it makes functions of texts, so that the page
+ * needs no {@code unsafe-eval}.
  */
 final class StrictRuntime {
 
@@ -43,7 +43,7 @@ final class StrictRuntime {
                 + runtime.substring(end(runtime, from + head.length()));
     }
 
-    /** Behind the brace that closes the one before a place; those in texts are in pairs. */
+    /** Index after the closing brace of a part; braces in texts come in pairs. */
     private static int end(String runtime, int from) {
         int open = 1;
         int at = from;

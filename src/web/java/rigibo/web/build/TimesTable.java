@@ -8,14 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/**
- * What the page's engine takes for a step beside the JVM's, as the table of docs/performance.md.
- */
+/** The times of a step in the page and on the JVM, as the table of docs/performance.md. */
 final class TimesTable {
 
     private TimesTable() {}
 
-    /** What a step of a scene takes, µs, and the state in which the scene ends. */
+    /** The time of a step of a scene, µs, and the state at the scene's end. */
     private record Step(String scene, double micros, String end) {
 
         static Step of(String line) {
@@ -28,7 +26,7 @@ final class TimesTable {
         }
     }
 
-    /** Measures one after the other, and prints the table. */
+    /** Measures the scenes one after the other and prints the table. */
     static void print(Browser browser, Path folder) throws IOException, InterruptedException {
         List<Step> here = Step.all(BitsCheck.onJvm(() -> Times.main(new String[0]), Times.MARK));
         List<Step> compiled = there(browser, folder, "lines.html?times");

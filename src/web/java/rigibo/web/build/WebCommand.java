@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * {@code ./rigibo web}: builds the page; serves it, compares its bits or its times with the JVM's,
- * or plays it as players do.
+ * {@code ./rigibo web}: builds the page, serves it, compares its bits or times with the JVM's, or
+ * plays it like players.
  */
 final class WebCommand {
 
@@ -59,14 +59,12 @@ final class WebCommand {
         }
     }
 
-    /** Programs that no player needs go beside the page. */
+    /** Folder of the programs that only checks need, beside the page. */
     private static Path checks(Path folder) {
         return folder.resolveSibling(folder.getFileName() + "-checks");
     }
 
-    /**
-     * Plays a page that is made anew: all levels and in Firefox too, or the first of each world.
-     */
+    /** Plays a newly built page: all levels, in Firefox too, or only the first of each world. */
     private static boolean play(Path folder, boolean isWhole)
             throws IOException, InterruptedException, TeaVMToolException {
         Optional<Browser> browser = Browser.find();

@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Calls methods of a browser, and passes on what it tells unasked. */
+/** Calls methods of a browser, and passes its events on. */
 final class Wire {
 
     private static final Pattern NUMBER =
@@ -23,7 +23,7 @@ final class Wire {
             Pattern.compile("\"value\":(\"((?:[^\"\\\\]|\\\\.)*)\"|[^,}]+)");
     private static final Pattern DATA = Pattern.compile("\"data\":\"([^\"]*)\"");
 
-    /** A browser that says nothing for so long is broken. */
+    /** Longest silence of a browser, s; after it the browser counts as broken. */
     private static final int MOST_SECONDS = 60;
 
     private final BlockingQueue<String> answers = new LinkedBlockingQueue<>();
@@ -81,7 +81,7 @@ final class Wire {
         }
     }
 
-    /** Calls a method that evaluates an expression; returns what it comes to, as text. */
+    /** Calls a method that evaluates an expression; returns its value as text. */
     String value(String method, String parameters) throws IOException, InterruptedException {
         String answer = send(method, parameters);
         Matcher value = VALUE.matcher(answer);
@@ -100,7 +100,7 @@ final class Wire {
         return Base64.getDecoder().decode(data.group(1));
     }
 
-    /** Breaks the connection. */
+    /** Closes the connection. */
     void close() {
         socket.abort();
     }

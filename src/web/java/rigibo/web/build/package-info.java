@@ -1,5 +1,5 @@
 /**
- * Makes the page from the engine's classes by TeaVM, serves it on this machine, and asks a browser
- * what it shows. Runs on the JVM alone.
+ * Builds the page from the engine's classes by TeaVM, serves it on this machine, and reads its
+ * output in browsers. Runs on the JVM only.
  */
 package rigibo.web.build;

@@ -7,14 +7,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * The files that the page has brought along, in one text: of each a line with its name and the
- * number of its characters, and then those.
+ * The files of the page in one text: for each a line with its name and its number of characters,
+ * then the characters.
  */
 public final class Brought {
 
     private Brought() {}
 
-    /** Puts them into a folder of the memory, where the game looks for them. */
+    /** Writes them into a folder in memory, where the game looks for them. */
     public static void unpackTo(Path folder) throws IOException {
         String all = text();
         int at = 0;

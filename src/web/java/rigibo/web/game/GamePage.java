@@ -16,10 +16,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** Starts the game in a page, or, given words, an errand beside it. */
+/** Starts the game in a page or, if there are arguments, an errand beside it. */
 public final class GamePage {
 
-    /** Where the game finds its files, as it finds them on a disk. */
+    /** Folder in which the game finds its files, as on a disk. */
     private static final Path HOME = Path.of("/game");
 
     private static final Path PLAYER = Path.of("/player");
@@ -54,13 +54,13 @@ public final class GamePage {
         }
     }
 
-    /** What the browser knows of a player who has chosen nothing yet. */
+    /** The settings of a new player, as far as the browser knows them. */
     private static Settings initial() {
         Settings initial = Settings.initial(language());
         return isCalm() ? initial.withMotion(Settings.Motion.REDUCED) : initial;
     }
 
-    /** Whether the player's system is told to move little. */
+    /** Whether the player's system asks for little motion. */
     @JSBody(script = "return matchMedia('(prefers-reduced-motion: reduce)').matches;")
     private static native boolean isCalm();
 

@@ -17,8 +17,8 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * Keeps the files of a folder of the memory in the browser's storage, each under its path, in the
- * formats that they have on a disk.
+ * Stores the files of a folder in memory in the browser's storage, each under its path, in the
+ * formats of the desktop.
  */
 final class Keeping {
 
@@ -31,9 +31,9 @@ final class Keeping {
     private boolean isRefused;
 
     /**
-     * Takes back what was kept.
+     * Reads the stored files.
      *
-     * @param refused called when the browser keeps nothing more, once
+     * @param refused called once if the browser refuses to store more
      */
     Keeping(Path folder, Runnable refused) throws IOException {
         this.folder = folder;
@@ -53,7 +53,7 @@ final class Keeping {
         }
     }
 
-    /** Begins to look for changes. */
+    /** Starts looking for changes. */
     void begin() {
         Window.setInterval(this::keep, PERIOD);
         Window.current().addEventListener("pagehide", event -> keep());
@@ -110,7 +110,7 @@ final class Keeping {
                             + " false; }")
     private static native boolean isAllowed();
 
-    /** A browser that keeps nothing has nothing to remove. */
+    /** Removes an entry; a browser without storage has none. */
     @JSBody(
             params = "name",
             script = "try { window.localStorage.removeItem(name); } catch (denied) {}")

@@ -1,5 +1,5 @@
 /**
- * The game as a page: what it has brought along as files, what of the player the browser keeps, and
- * the scenes that can be chosen there. Knows the document and the frontend.
+ * The game as a page: its files, the player's files in the browser, and the scenes. Knows the
+ * document and the frontend.
  */
 package rigibo.web.game;

@@ -1,6 +1,6 @@
 package rigibo.web.library;
 
-/** What will be known later, and is waited for by nobody. */
+/** A value that may be known later; no thread waits for it. */
 public final class CompletableFuture<T> {
 
     private T value;
@@ -26,7 +26,7 @@ public final class CompletableFuture<T> {
         return true;
     }
 
-    /** The value if it is there. */
+    /** The value if it is known, or another one. */
     public T getNow(T otherwise) {
         return isDone ? value : otherwise;
     }
@@ -35,7 +35,7 @@ public final class CompletableFuture<T> {
         return isDone;
     }
 
-    /** The value, which must be there. */
+    /** The value, which must be known. */
     public T join() {
         if (!isDone) {
             throw new IllegalStateException("nobody can wait in a page");

@@ -11,22 +11,20 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/**
- * Texts with values in them, as {@code String.format} makes them of what the game's formats ask.
- */
+/** Formats texts with values like {@code String.format}, as far as the game's formats need it. */
 final class Format {
 
     /** Flags, width, digits after the point, kind. */
     private static final Pattern PLACE =
             Pattern.compile("%([-+,0]*)(\\d*)(?:\\.(\\d+))?([a-zA-Z%])");
 
-    /** Digits after the point where a format states none. */
+    /** Default number of digits after the point. */
     private static final int USUAL = 6;
 
     /** Digits of a group. */
     private static final int GROUP = 3;
 
-    /** The places of each format that was written: there are few, and they are written again. */
+    /** The places of each format used so far; there are few, used again and again. */
     private static final Map<String, List<Place>> KNOWN = new HashMap<>();
 
     private final Locale locale;
@@ -35,7 +33,7 @@ final class Format {
         this.locale = locale;
     }
 
-    /** Where in a format a value stands, and how it is written. */
+    /** The position of a value in a format, and its style. */
     private record Place(int begin, int end, String flags, int width, int digits, char kind) {
 
         static List<Place> of(String format) {

@@ -22,49 +22,49 @@ import java.util.regex.Matcher;
 import java.util.stream.Stream;
 
 /**
- * Methods that are called in place of those of the same name and class, which the library lacks;
- * the object that they are called of comes first.
+ * Methods called in place of those of the same name and class that the library lacks; the object of
+ * the call is the first argument.
  */
 public final class Missing {
 
-    /** Of a degree, and the other way round, as Java rounds them. */
+    /** Factors from degrees to radians and back, rounded as in Java. */
     private static final double RADIANS = 0.017453292519943295;
 
     private static final double DEGREES = 57.29577951308232;
 
     private Missing() {}
 
-    /** Of {@link String}, whose own form knows no floating point. */
+    /** Replaces a method of {@link String}, whose own form knows no floating point. */
     public static String format(String format, Object... values) {
         return format(Locale.ROOT, format, values);
     }
 
-    /** Of {@link String}. */
+    /** Replaces a method of {@link String}. */
     public static String format(Locale locale, String format, Object... values) {
         return new Format(locale).of(format, values);
     }
 
-    /** Of {@link Locale}. */
+    /** Replaces a method of {@link Locale}. */
     public static Locale forLanguageTag(String language) {
         return new Locale(language);
     }
 
-    /** Of {@link Character}. */
+    /** Replaces a method of {@link Character}. */
     public static String toString(int codePoint) {
         return new String(Character.toChars(codePoint));
     }
 
-    /** Of {@link Math}, whose own form divides, which rounds otherwise. */
+    /** Replaces a method of {@link Math}, whose own form divides and so rounds otherwise. */
     public static double toRadians(double degrees) {
         return degrees * RADIANS;
     }
 
-    /** Of {@link Math}. */
+    /** Replaces a method of {@link Math}. */
     public static double toDegrees(double radians) {
         return radians * DEGREES;
     }
 
-    /** Of {@link Normalizer}. */
+    /** Replaces a method of {@link Normalizer}. */
     public static String normalize(CharSequence text, Normalizer.Form form) {
         return normalized(text.toString(), form.name());
     }
@@ -74,29 +74,32 @@ public final class Missing {
             script = "return text.normalize(form);")
     private static native String normalized(String text, String form);
 
-    /** Of {@link Character}. */
+    /** Replaces a method of {@link Character}. */
     public static String toString(char letter) {
         return String.valueOf(letter);
     }
 
-    /** Of {@link Collections}, whose own form draws in another order. */
+    /** Replaces a method of {@link Collections}, whose own form draws in another order. */
     public static <T> void shuffle(List<T> values, Random random) {
         for (int i = values.size(); i > 1; i--) {
             Collections.swap(values, i - 1, random.nextInt(i));
         }
     }
 
-    /** Of {@link Collections}. */
+    /** Replaces a method of {@link Collections}. */
     public static <K, V> SortedMap<K, V> emptySortedMap() {
         return new TreeMap<>();
     }
 
-    /** Of {@link Collections}; who changes it is told by the desktop's tests. */
+    /**
+     * Replaces a method of {@link Collections}. It returns the map itself; the desktop's tests find
+     * code that changes it.
+     */
     public static <K, V> SortedMap<K, V> unmodifiableSortedMap(SortedMap<K, V> map) {
         return map;
     }
 
-    /** Of {@link Long}. */
+    /** Replaces a method of {@link Long}. */
     public static long parseUnsignedLong(String digits, int radix) {
         long value = 0;
         for (int i = 0; i < digits.length(); i++) {
@@ -105,7 +108,7 @@ public final class Missing {
         return value;
     }
 
-    /** Of {@link Matcher}. */
+    /** Replaces a method of {@link Matcher}. */
     public static String replaceAll(Matcher matcher, Function<MatchResult, String> replacement) {
         StringBuffer replaced = new StringBuffer();
         while (matcher.find()) {
@@ -114,17 +117,17 @@ public final class Missing {
         return matcher.appendTail(replaced).toString();
     }
 
-    /** Of {@link String}. */
+    /** Replaces a method of {@link String}. */
     public static Stream<String> lines(String text) {
         return Arrays.stream(text.split("\r?\n"));
     }
 
-    /** Of {@link Files}, whose own form calls something that is missing in turn. */
+    /** Replaces a method of {@link Files}, whose own form calls a missing method. */
     public static String readString(Path file) throws IOException {
         return readString(file, StandardCharsets.UTF_8);
     }
 
-    /** Of {@link Files}. */
+    /** Replaces a method of {@link Files}. */
     public static String readString(Path file, Charset charset) throws IOException {
         return new String(Files.readAllBytes(file), charset);
     }

@@ -1,6 +1,6 @@
 package rigibo.web.library;
 
-/** Numbers by chance, by the algorithm that Java's class of this name states. */
+/** Random numbers, by the specified algorithm of Java's class of this name. */
 public final class Random {
 
     private static final long FACTOR = 0x5deece66dL;

@@ -3,7 +3,7 @@ package rigibo.web.library;
 import java.util.stream.DoubleStream;
 
 /**
- * Numbers by chance, by the algorithm of Java's class of this name: Steele, Lea, Flood, Fast
+ * Random numbers, by the algorithm of Java's class of this name: Steele, Lea, Flood, Fast
  * Splittable Pseudorandom Number Generators, 2014.
  */
 public final class SplittableRandom {
@@ -57,7 +57,7 @@ public final class SplittableRandom {
         return nextInt() < 0;
     }
 
-    /** So many numbers from 0 to 1, excluded. */
+    /** {@code count} numbers from 0 to 1, excluded. */
     public DoubleStream doubles(long count) {
         return DoubleStream.generate(this::nextDouble).limit(count);
     }

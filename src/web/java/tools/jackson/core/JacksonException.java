@@ -1,6 +1,6 @@
 package tools.jackson.core;
 
-/** A text is no JSON. */
+/** Thrown when a text is not JSON. */
 public class JacksonException extends RuntimeException {
 
     private final transient TokenStreamLocation location;

@@ -43,7 +43,7 @@ public final class JsonParser implements AutoCloseable {
                 return null;
             }
             if (isOver) {
-                // Whatever follows the end is a part too many.
+                // Any text after the end is a part too many.
                 return JsonToken.NOT_AVAILABLE;
             }
             token = value();
@@ -232,7 +232,7 @@ public final class JsonParser implements AutoCloseable {
         return location;
     }
 
-    /** Goes to the end of the object or list that has begun. */
+    /** Skips to the end of the object or list that has begun. */
     public JsonParser skipChildren() {
         if (token == JsonToken.START_OBJECT || token == JsonToken.START_ARRAY) {
             int outside = open.size() - 1;

@@ -1,6 +1,6 @@
 package tools.jackson.core;
 
-/** A way to a value of a tree, as RFC 6901 writes it. */
+/** A path to a value of a tree, as in RFC 6901. */
 public final class JsonPointer {
 
     private final String text;
@@ -13,7 +13,7 @@ public final class JsonPointer {
         return new JsonPointer(text);
     }
 
-    /** Whether it leads nowhere else. */
+    /** Whether it has no further steps. */
     public boolean matches() {
         return text.isEmpty();
     }
@@ -23,7 +23,7 @@ public final class JsonPointer {
         return text.substring(1, end()).replace("~1", "/").replace("~0", "~");
     }
 
-    /** The first step, as a place in a list; -1 for one that is none. */
+    /** The first step, as an index of a list; -1 if it is none. */
     public int getMatchingIndex() {
         String name = getMatchingProperty();
         return name.matches("\\d{1,9}") ? Integer.parseInt(name) : -1;

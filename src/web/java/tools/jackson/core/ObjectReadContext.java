@@ -1,6 +1,6 @@
 package tools.jackson.core;
 
-/** Nothing that a reader asks about. */
+/** Needed by signatures only. */
 public interface ObjectReadContext {
 
     static ObjectReadContext empty() {

@@ -1,6 +1,6 @@
 package tools.jackson.core;
 
-/** Bounds of what is read. */
+/** Bounds of a text to be read. */
 public final class StreamReadConstraints {
 
     long document = Long.MAX_VALUE;
@@ -16,7 +16,7 @@ public final class StreamReadConstraints {
         return new Builder();
     }
 
-    /** Sets them one by one. */
+    /** Sets the bounds one by one. */
     public static final class Builder {
 
         private final StreamReadConstraints made = new StreamReadConstraints();

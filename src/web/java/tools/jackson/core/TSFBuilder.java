@@ -1,6 +1,6 @@
 package tools.jackson.core;
 
-/** What makes a factory of readers within bounds. */
+/** Builds a factory of readers within bounds. */
 public abstract class TSFBuilder<F, B extends TSFBuilder<F, B>> {
 
     protected StreamReadConstraints bounds;

@@ -1,5 +1,5 @@
 /**
- * A reader of JSON by the names of the library that the desktop reads with, which no browser runs:
- * what the room {@code document} calls of it, and nothing else.
+ * A reader of JSON under the names of the desktop's library, which no browser runs. It has the
+ * parts that the room {@code document} uses, and no others.
  */
 package tools.jackson.core;

@@ -11,7 +11,7 @@ import java.util.Iterator;
 import java.util.Map;
 import java.util.Set;
 
-/** A value of a tree; of another kind than is asked for, it is as one that is missing. */
+/** A value of a tree; asked for another kind than its own, it acts like a missing one. */
 public abstract class JsonNode implements Iterable<JsonNode> {
 
     public abstract JsonNodeType getNodeType();
@@ -40,7 +40,7 @@ public abstract class JsonNode implements Iterable<JsonNode> {
         return getNodeType() == JsonNodeType.MISSING;
     }
 
-    /** Whether it is a number that was stated as a whole one. */
+    /** Whether it is a number that was written as an integer. */
     public boolean isInt() {
         return false;
     }

@@ -5,7 +5,7 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 
-/** Writes trees as the library does: a line for each value of an object, lists in one line. */
+/** Writes trees in the library's layout: a line for each value of an object, lists in one line. */
 public final class ObjectWriter {
 
     private static final String INDENT = "  ";

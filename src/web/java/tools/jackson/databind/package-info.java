@@ -1,2 +1,2 @@
-/** The tree of values that JSON tells: what the game calls of the library of this name. */
+/** The tree of values of a JSON text: the parts of the library of this name that the game uses. */
 package tools.jackson.databind;

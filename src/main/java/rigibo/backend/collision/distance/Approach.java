@@ -3,7 +3,7 @@ package rigibo.backend.collision.distance;
 import rigibo.backend.collision.manifold.Manifold;
 import rigibo.backend.collision.manifold.Pose;
 
-/** How two moving bodies approach: what excludes an impact, and what confirms one. */
+/** The approach of two moving bodies: tests that exclude an impact, and tests that confirm one. */
 final class Approach {
 
     /** Closing speed, as a share of the bodies' speeds, below which it is round-off of the axis. */
@@ -48,7 +48,7 @@ final class Approach {
 
     /**
      * Relative speed of the closest points along the normal, m/s, positive when parting. Of two
-     * points the one with the smaller speed counts, unless its gap is larger by more than a
+     * contact points the one with the smaller speed counts, unless its gap is larger by more than a
      * tolerance in m.
      */
     double partingSpeed(Distance distance, Pose poseA, Pose poseB, double time, double tolerance) {

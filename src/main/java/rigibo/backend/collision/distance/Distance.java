@@ -37,8 +37,8 @@ public final class Distance {
     public double pointBY;
 
     /**
-     * Sets the gap in m to the end of a chain's edge, from a direction in which that end does not
-     * push, below which only the edge's own normal counts.
+     * Sets the distance in m from the end of a chain's edge below which only the edge's own normal
+     * counts, if the direction is one in which that end does not push.
      */
     void near(double metres) {
         collider.near = metres;

@@ -1,8 +1,9 @@
 package rigibo.backend.collision.distance;
 
 /**
- * The gap of two moving shapes along an axis that the search keeps for a while. It is never more
- * than their distance, and it is the least of smooth functions of time, one per pair of corners.
+ * The gap of two moving shapes along an axis that the search keeps for several rounds. It is never
+ * more than their distance, and it is the least of smooth functions of time, one per pair of
+ * corners.
  */
 interface GapAlong {
 

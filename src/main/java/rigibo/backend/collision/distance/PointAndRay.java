@@ -118,7 +118,10 @@ public final class PointAndRay {
                 : entersPolygon(shape, x, y, dx, dy);
     }
 
-    /** A ray enters a rounded outline at the first of its edges or round corners. */
+    /**
+     * The fraction at which a ray enters a rounded outline: at the first of its edges and round
+     * corners.
+     */
     private double entersRounded(Outline outline, double x, double y, double dx, double dy) {
         if (outline.depth(x, y) > 0) {
             return MISS;

@@ -3,7 +3,7 @@ package rigibo.backend.collision.distance;
 import rigibo.backend.setup.ImpactSearch;
 
 /**
- * How far in time two shapes can advance without touching, seen along one axis. The bound is the
+ * The time by which two shapes can advance without touching, seen along one axis. The bound is the
  * chord of the gap over an interval, minus the most that the gap can bend away from it.
  */
 final class SafeAdvance {

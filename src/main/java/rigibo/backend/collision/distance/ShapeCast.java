@@ -7,12 +7,12 @@ import rigibo.backend.storage.RoundOff;
 
 /**
  * The time at which an outline that moves in a straight line, without turning, meets another one at
- * rest. An edge of a chain counts as a line that is met only from the air; a body passes it from
- * its matter. Uses scratch fields, so each thread needs its own instance.
+ * rest. An edge of a chain counts as a line that is met from the air only; from the matter a body
+ * passes it. Uses scratch fields, so each thread needs its own instance.
  */
 public final class ShapeCast {
 
-    /** Gap left where the two meet, as a share of the narrower one's width. */
+    /** Gap left at the meeting, as a share of the narrower one's width. */
     private static final double TOLERANCE = 1e-9;
 
     /** Half the thickness of the line, as a share of its length. */

@@ -43,7 +43,7 @@ public final class TimeOfImpact {
     private static final int MOST_POLISHES = 4;
 
     /**
-     * Most rounds before the safe time reached so far is returned; only long, close passes need so
+     * Most rounds until the safe time reached so far is returned; only long, close passes need as
      * many.
      */
     private static final int MOST_ROUNDS = 400;
@@ -56,8 +56,8 @@ public final class TimeOfImpact {
 
     /**
      * Largest angle in rad through which both may turn while one turning axis is kept. The bound on
-     * the gap in front of a turning face grows with the square of that angle. Over many turns it
-     * says nothing, and each round would advance by a thousandth of a turn.
+     * the gap in front of a turning face grows with the square of that angle. Over many turns it is
+     * useless, and each round would advance by a thousandth of a turn.
      */
     private static final double LONGEST_TURN = 0.5;
 

@@ -7,16 +7,16 @@ import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.geometry.Outline;
 
 /**
- * Tests whether outlines overlap or touch. An edge of a chain counts as a line, whichever side its
- * matter lies on; which contacts push is up to {@link Collider}. Uses scratch fields, so each
- * thread needs its own instance. Allocates nothing after its first edge of a chain.
+ * Tests whether outlines overlap or touch. An edge of a chain counts as a line with two sides;
+ * {@link Collider} decides which contacts push. Uses scratch fields, so each thread needs its own
+ * instance. Allocates nothing after its first edge of a chain.
  */
 public final class Touching {
 
     private final Collider collider = new Collider();
     private final Manifold manifold = new Manifold();
 
-    /** Made with the first edge of a chain. */
+    /** Null until the first edge of a chain. */
     private Distance distance;
 
     private EdgeContact edges;

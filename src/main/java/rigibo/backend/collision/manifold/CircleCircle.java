@@ -22,7 +22,7 @@ final class CircleCircle {
         if (distance > 0) {
             out.normal(dx / distance, dy / distance, NormalSource.CLOSEST_POINTS);
         } else {
-            // For concentric discs any axis would do; this one is its own mirror image in x.
+            // For concentric discs any axis would do; this one equals its mirror image in x.
             out.normal(0, 1, NormalSource.CLOSEST_POINTS);
         }
         double gap = distance - radii;

@@ -11,12 +11,12 @@ public final class Collider {
     private final PolygonPolygon polygons;
     private final boolean isForDistance;
 
-    /** Made with the first edge of a chain. */
+    /** Null until the first edge of a chain. */
     private EdgeContact edges;
 
     /**
-     * For distances: gap in m to the end of a chain's edge, from a direction in which that end does
-     * not push, below which the edge's own normal counts.
+     * For distances: distance in m from the end of a chain's edge below which the edge's own normal
+     * counts, if the direction is one in which that end does not push.
      */
     public double near;
 
@@ -73,7 +73,7 @@ public final class Collider {
 
     /**
      * Replaces the manifold of two polygons that overlap deeply, one of which has faces that other
-     * parts of its body cover, by one that leads out of both bodies. To be called after {@link
+     * parts of its body cover, by one that leads out of both bodies. Must be called after {@link
      * #collide} with the same arguments.
      */
     public void leave(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {

@@ -6,9 +6,9 @@ import rigibo.backend.storage.RoundOff;
 /**
  * Manifold of an edge of a chain, as A, and any outline, as B. An edge pushes along its normal, if
  * a corner of B lies over it or B lies flat on it. A convex corner between two edges pushes along
- * the normals between theirs; its contact is reported by the edge that ends there. Nothing else is
- * a contact: in every other direction, whatever is nearest to the end of an edge faces the matter
- * of the next edge. So a body does not catch on a corner that it slides over.
+ * the normals between theirs; the edge that ends there reports its contact. There are no other
+ * contacts: in every other direction, the feature nearest to the end of an edge faces the matter of
+ * the next edge. So a body does not catch on a corner that it slides over.
  */
 public final class EdgeContact {
 
@@ -29,7 +29,7 @@ public final class EdgeContact {
     private int right;
     private boolean isFlat;
 
-    /** Gap of the edge's own contact and of that of a corner, m; infinite if there is none. */
+    /** Gaps of the edge's own contact and of a corner's, m; infinite if there is none. */
     private double gapOfFace;
 
     private double gapOfCorner;
@@ -38,7 +38,7 @@ public final class EdgeContact {
     /** Overlap in m up to which a body beside the edge may meet the edge's plane. */
     private double slack;
 
-    /** Of the corners over or under the edge, the one nearest to it. */
+    /** The corner nearest to the edge among those over or under it. */
     private int nearestOver;
 
     /** Writes the contact points within a reach, in m; returns their number. */
@@ -76,8 +76,8 @@ public final class EdgeContact {
     }
 
     /**
-     * Notes the gap to a body that may come over this edge within the step: it is over no edge yet,
-     * or over another one.
+     * Records the gap to a body that may come over this edge within the step: it is over no edge
+     * yet, or over another one.
      */
     private void await(Pose pose, double radius, double reach, Manifold out) {
         if (view.leastDistance() - radius > reach) {
@@ -91,8 +91,8 @@ public final class EdgeContact {
     }
 
     /**
-     * Whether the corner is the contact. If both overlap, it is the one that overlaps less,
-     * otherwise the nearer one.
+     * Whether the corner is the contact. If both features overlap, it is the one that overlaps
+     * less, otherwise the nearer one.
      */
     private boolean isCorner() {
         boolean areBothIn = gapOfCorner <= 0 && gapOfFace <= 0;
@@ -136,8 +136,9 @@ public final class EdgeContact {
 
     /**
      * Whether an outline that reaches below the edge's plane lies against the other flank of a
-     * ridge, so that the edge's normal would lead it through that: it does not touch the edge, or
-     * only its end, out of which the shortest way leads to the other flank.
+     * ridge, so that the edge's normal would lead it through the ridge. Such an outline does not
+     * touch the edge, or touches only its end, out of which the shortest way leads to the other
+     * flank.
      */
     private boolean isBehindRidge(double radius) {
         if (!view.isConvex(true) && !view.isConvex(false)) {
@@ -167,7 +168,7 @@ public final class EdgeContact {
         return isIn || view.isInside ? 0 : Math.min(nearestOver(), fromEnds);
     }
 
-    /** Whether part of the lowest side, not only a point of it, lies over the edge. */
+    /** Whether a part of the lowest side, not only one point, lies over the edge. */
     private boolean isAcross() {
         return view.along[left] < view.half && view.along[right] > -view.half;
     }
@@ -206,9 +207,9 @@ public final class EdgeContact {
 
     /**
      * Writes the edge's own contact beside a corner that the previous edge reports, since a body
-     * that turns about this corner comes to lie on the edge. It writes none if the core lies deeper
-     * beyond the corner than over the edge, or over the edge deeper than the corner lies in it, as
-     * at a sharp ridge: the edge's normal then does not lead out.
+     * that turns about this corner comes to lie on the edge. At a sharp ridge the edge's normal may
+     * not lead out; so no contact is written if the core lies deeper beyond the corner than over
+     * the edge, or deeper over the edge than the corner lies in it.
      */
     private void writeBesideCorner(Pose pose, double radius, double reach, Manifold out) {
         boolean isShallow = gapOfFace >= gapOfCorner - slack;

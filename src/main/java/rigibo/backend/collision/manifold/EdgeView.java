@@ -37,8 +37,8 @@ final class EdgeView {
     boolean isInside;
 
     /**
-     * Its distance from the core, m, negative inside; the direction to the core; and whether the
-     * nearest point is inside a face.
+     * Distance of that end from the core, m, negative inside; the direction to the core; and
+     * whether the nearest point is inside a face.
      */
     double distance;
 
@@ -144,7 +144,7 @@ final class EdgeView {
 
     /**
      * Finds the point of the core nearest to an end of the edge. If that end is inside the core, it
-     * takes the way out through the nearest face along whose normal the end can push.
+     * is the nearest face along whose normal the end can push.
      */
     void lookFrom(boolean isStart) {
         double x = end(isStart);
@@ -239,8 +239,8 @@ final class EdgeView {
 
     /**
      * Finds the point of the core nearest to a convex end of the edge, or the shortest way out if
-     * the end is inside; whether that way leads beyond the normal of the next edge, and so to the
-     * far side of the end.
+     * the end is inside; returns whether that way leads beyond the normal of the next edge, and so
+     * to the far side of the end.
      */
     boolean leadsBeyond(boolean isStart) {
         lookFrom(isStart);

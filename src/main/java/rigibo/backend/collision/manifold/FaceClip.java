@@ -80,8 +80,7 @@ final class FaceClip {
     private double beside;
 
     /**
-     * Set if the closest features are two corners: which end of the face, and which end of the
-     * edge.
+     * Set if the closest features are two corners: one end of the face, and one end of the edge.
      */
     private boolean isBetweenCorners;
 
@@ -162,8 +161,8 @@ final class FaceClip {
      * lies beside the face, and the face's own corner does not lie over the inside of the edge.
      */
     private boolean findCorners() {
-        // A core of two corners has no face across its own line: two in one line are apart, though
-        // no face separates them, or none by more than the bias for A's faces.
+        // A core of two corners has no face across its own line. So two in one line are apart,
+        // though no face separates them, or none by more than the bias for A's faces.
         boolean mayBeInLine = edgesInAll == 2 && separation > -inLine;
         if (!(separation > 0 || mayBeInLine)) {
             return false;
@@ -206,7 +205,7 @@ final class FaceClip {
 
     /**
      * Writes the two nearest corners, and the far end of the overlap of edge and face. Cores with a
-     * radius stay apart, so their corners can be nearest until the moment when that far end lands.
+     * radius stay apart, so their corners can be nearest until the far end lands.
      */
     private void writeCorners(Pose pose, NormalSource source, double reach, Manifold out) {
         double fromX = isAtStart ? startX : endX;
@@ -263,7 +262,7 @@ final class FaceClip {
     }
 
     /**
-     * Writes the nearest corner in front of the face, which the tests placed beside it by
+     * Writes the nearest corner in front of the face if the tests placed it beside the face: by
      * round-off, or because the two polygons touch corner to corner. Both corners of a flat edge
      * are equally near; it takes the one next to the face.
      */

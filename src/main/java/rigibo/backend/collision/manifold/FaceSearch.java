@@ -9,7 +9,7 @@ import rigibo.backend.geometry.Outline;
 final class FaceSearch {
 
     /**
-     * Cosine from which on a face looks against a direction: half a right angle, between two faces.
+     * Cosine above which a face looks against a direction: half a right angle, between two faces.
      */
     private static final double AGAINST = Math.sqrt(0.5);
 
@@ -56,10 +56,10 @@ final class FaceSearch {
     }
 
     /**
-     * Finds the face with the greatest separation through which the other polygon leaves: no other
-     * part covers it, nor the face of the other polygon that leaves last. Returns that separation,
-     * −∞ if there is none. Of faces that are nearly equal, it takes the one whose normal is nearest
-     * to a direction: {@code weight} m are added along it.
+     * Finds the face of greatest separation among those through which the other polygon can leave:
+     * no other part covers the face, nor the last face of the other polygon to leave through it.
+     * Returns that separation, −∞ if there is none. Of nearly equal faces, it takes the one whose
+     * normal is nearest to a direction: {@code weight} m are added along it.
      */
     double findOuter(
             Outline polygon, Outline other, Pose place, double x, double y, double weight) {

@@ -38,10 +38,10 @@ final class PolygonPolygon {
      */
     private static final double WELL_OVER = 4;
 
-    /** Distance of the centres, in widths, up to which two bodies are at one spot. */
+    /** Distance of the centres, in widths, up to which two bodies count as at one spot. */
     private static final double ONE_SPOT = 1e-6;
 
-    /** Cosine of the direction in A's frame along which bodies at one spot leave. */
+    /** Cosine, in A's frame, of the direction along which bodies at one spot leave. */
     private static final double AT_ONE_SPOT = 0.8;
 
     /** Difference in widths up to which two ways out count as equally long. */
@@ -96,10 +96,10 @@ final class PolygonPolygon {
 
     /**
      * Writes the manifold of two parts that overlap deeply, after {@link #collide} at the same
-     * poses: the way out leads through a face that no other part of its body covers, so that
-     * whatever leaves one part does not enter the next. Of ways of equal length it takes the one
-     * along which the bodies' centres lie apart, or along one that no face is likely to have where
-     * they lie at one spot: all parts of two bodies then agree.
+     * poses. The way out leads through a face that no other part of its body covers, so that a body
+     * that leaves one part does not enter the next. Of ways of equal length it takes the one
+     * nearest to the line between the bodies' centres; where these lie at one spot, nearest to a
+     * direction that hardly any face has. So all parts of two bodies choose alike.
      */
     int leave(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         double width = Math.min(a.smallestWidth(), b.smallestWidth());
@@ -140,8 +140,8 @@ final class PolygonPolygon {
     }
 
     /**
-     * Searches the faces of the first polygon, and those of the other, which has more, only if one
-     * of them may separate more.
+     * Searches the faces of the first polygon. It searches those of the other, which has more, only
+     * if one of them may separate more.
      */
     private static boolean isEitherApart(
             Outline one,

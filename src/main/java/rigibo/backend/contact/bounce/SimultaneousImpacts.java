@@ -70,7 +70,7 @@ final class SimultaneousImpacts {
 
     private int strikingCount;
 
-    /** How often bodies were struck in the substep. */
+    /** Number of times at which bodies were struck in the substep. */
     private int instants;
 
     SimultaneousImpacts(
@@ -106,8 +106,9 @@ final class SimultaneousImpacts {
     boolean resolve(double length, int number) {
         boolean isAnswered = resolve(length, length / 2, number);
         if (instants > 0) {
-            // What lay on others is stopped by them from the substep's beginning, though its speed
-            // was not answered yet when the impact put it where that would have taken it.
+            // A body that lay on others is stopped by them from the substep's start. But its speed
+            // had not been stopped yet when the impact placed it, so that place may lie within
+            // them.
             shifts.limitOfTouching(number, TOUCHED, length, leftInto);
         }
         return isAnswered;

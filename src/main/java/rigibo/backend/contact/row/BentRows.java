@@ -37,11 +37,12 @@ public final class BentRows {
     private final Team.Pieces lookingPieces = this::lookAt;
     private final SharedRows shared;
 
-    /*
-     * What a part was begun with: the number of its substep, whether it is the first in it, and the
-     * time left in the step, s.
+    /**
+     * Parameters of the present part: the number of its substep, whether it is the first in it, and
+     * the time left in the step, s.
      */
     private int substep;
+
     private boolean isFirst;
     private double left;
 

@@ -33,13 +33,13 @@ public final class FreshRows {
     private final RowBuilder builder;
     private final SharedRows shared;
 
-    /** By worker: what measures contacts for it; this is the first. */
+    /** By worker: the object that measures contacts for it; the first one is this. */
     private final FreshRows[] helpers;
 
     /** Measures some of the marked contacts. */
     private final Team.Pieces measuringPieces = this::measurePiece;
 
-    /** By contact: whether it is to be measured, with so many seconds of the step left. */
+    /** By contact: whether it has to be measured; and the time left in the step, s. */
     private boolean[] marked;
 
     private double left;

@@ -106,8 +106,8 @@ public final class LateJoiners {
     }
 
     /**
-     * Restores the times at which the bodies of the packed island joined, before it is advanced
-     * anew: their stored places are those of these times.
+     * Restores the times at which the bodies of the packed island joined, before it is solved
+     * again: their stored places are those of these times.
      */
     public void restoreTimes() {
         for (int entry = 1; entry < motions.count; entry++) {

@@ -2,7 +2,7 @@ package rigibo.backend.contact.row;
 
 import rigibo.backend.setup.Accuracy;
 
-/** By how much passes may miss what contacts ask for. */
+/** Residuals that passes may leave in contacts. */
 public final class MissedWidth {
 
     private MissedWidth() {}

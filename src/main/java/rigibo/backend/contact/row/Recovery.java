@@ -24,7 +24,7 @@ public final class Recovery {
         return over > 0 ? Math.min(over * rate / (1 + rate), most * width * h) : 0;
     }
 
-    /** Overlap, m, of which so many m are removed in a step of dt seconds. */
+    /** Overlap, m, of which a step of dt seconds removes {@code removed} m. */
     public static double overlapOf(double removed, double dt) {
         return removed * (1 + 1 / (RATE * dt));
     }

@@ -4,8 +4,8 @@ import rigibo.backend.team.Team;
 
 /**
  * Shares the contacts of a large island among the workers of a team. Passes take them colour by
- * colour: contacts of one colour have no moving body in common, so that who solves which of them,
- * and when, changes no bit.
+ * colour: contacts of one colour have no moving body in common, so that no bit depends on which
+ * worker solves which of them, nor on their order.
  */
 public final class SharedRows {
 
@@ -21,7 +21,7 @@ public final class SharedRows {
     private final PackedContacts contacts;
     private final Team.Pieces shifted = this::shift;
 
-    /** What is done with the contacts of the present colour, and the first of them. */
+    /** The work on the contacts of the present colour, and the first of them. */
     private Team.Pieces each;
 
     private int first;

@@ -76,8 +76,8 @@ public final class WarmStart {
     }
 
     /**
-     * Takes impulses back as far as they drive bodies apart, in a number of passes: what a contact
-     * carried before may be gone. No impulse grows.
+     * Takes impulses back as far as they drive bodies apart, in a number of passes: the load that a
+     * contact carried before may be gone. No impulse grows.
      */
     public void takeBackWhatParts(int substep, int passes) {
         for (int pass = 0; pass < passes; pass++) {

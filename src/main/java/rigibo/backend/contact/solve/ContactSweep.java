@@ -88,11 +88,12 @@ public final class ContactSweep {
 
     private final SharedRows shared;
 
-    /*
-     * What a sweep was begun with: the substep's length in s and its number, the neglected change
-     * of speed in widths per second, and its bounds in m/s.
+    /**
+     * Parameters of the present sweep: the substep's length in s and its number, the neglected
+     * change of speed in widths per second, and its bounds in m/s.
      */
     private double h;
+
     private int substep;
     private double sharePerSecond;
     private double quiet;
@@ -103,7 +104,7 @@ public final class ContactSweep {
     /** Solves contacts of one colour; a field, since a new one would be allocated for each pass. */
     private final Team.Pieces solvingPieces = this::solvePiece;
 
-    /** By worker, {@link #APART} numbers from one to the next: contacts that it found due. */
+    /** By worker, at a distance of {@link #APART} numbers: how many contacts it found due. */
     private final int[] solvedBy;
 
     public ContactSweep(

@@ -198,7 +198,9 @@ public final class DirectSolver {
         }
     }
 
-    /** Removes the overlap of what carries ({@link HeldOverlap}), after a substep of h seconds. */
+    /**
+     * Removes the overlap of loaded contacts ({@link HeldOverlap}), after a substep of h seconds.
+     */
     public void correct(double h, int substep) {
         layOut();
         rows.read(h);

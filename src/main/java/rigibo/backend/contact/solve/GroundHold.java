@@ -23,7 +23,7 @@ final class GroundHold {
     private final Motions motions;
     private final PackedContacts contacts;
 
-    /** By point: least gap that it is to have in the end, at most 0, m. */
+    /** By point: least gap wanted in the end, at most 0, m. */
     private double[] wanted = new double[32];
 
     GroundHold(Motions motions, PackedContacts contacts) {

@@ -13,11 +13,11 @@ import java.util.Arrays;
 /**
  * Removes the overlap of a small island by one elimination. Rows that carry or overlap, and those
  * on which bodies stand on the ground, become equations between displacements: gaps open as far as
- * they are to, and what holds goes on holding.
+ * wanted, and rows that hold continue to hold.
  *
- * <p>A row is the softer the less it carries, so that one whose load fades gives way little by
- * little. If it were an equation or none, and redundant contacts shared a load, round-off would
- * choose which of them are equations, and where bodies go.
+ * <p>The less a row carries, the softer it is, so that one whose load fades gives way little by
+ * little. If it were either an equation or none, and redundant contacts shared a load, round-off
+ * would choose which of them are equations, and so the motion of bodies.
  */
 final class HeldOverlap {
 
@@ -146,7 +146,7 @@ final class HeldOverlap {
         return rows.impulse[k] * rows.answer[k];
     }
 
-    /** Chooses a row that holds by so many m/s, and is to open by {@code wanted} m. */
+    /** Chooses a row that holds by {@code holds} m/s and should open by {@code wanted} m. */
     private void choose(int k, double holds, double wanted) {
         if (holds > FADED * fading) {
             double soft = fading / holds;

@@ -5,8 +5,8 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Limits what recovery lifts a crowd by. Little moves there that could pay for it, and from storey
- * to storey what is lifted adds up: the lift is spread over time.
+ * Limits the lift of a crowd by recovery. Little moves there that could supply the energy, and
+ * lifts add up from storey to storey, so they are spread over time.
  */
 final class LiftLimit {
 
@@ -31,7 +31,7 @@ final class LiftLimit {
         moved.begin();
     }
 
-    /** Takes back what has lifted them by more than may be in h seconds, a share of all. */
+    /** Takes back the lift beyond the limit of h seconds, by the same share for all bodies. */
     void end(double h) {
         double lift = 0;
         double fall = 0;

@@ -11,18 +11,18 @@ import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Hands down, from storey to storey and to the ground, the impulses that stop what sinks in: one
- * sweep from the top does what passes need the square of the number of storeys for. Each body is
- * stopped as if what it lies on were already as slow as it will be ({@link Supports}), and what it
- * lies on gets the opposite impulse. Momentum is kept, impulses only grow, and the passes that
- * follow correct them where this is wrong.
+ * Hands down, from storey to storey and to the ground, the impulses that stop bodies from sinking
+ * in: one sweep from the top replaces passes whose number grows with the square of the number of
+ * storeys. Each body is stopped as if its supports were already as slow as they will be ({@link
+ * Supports}), and the supports get the opposite impulse. Momentum is kept, impulses only grow, and
+ * the passes that follow correct errors.
  *
  * <p>The idea is that of shock propagation (Guendelman, Bridson and Fedkiw, <i>Nonconvex Rigid
- * Bodies with Stacking</i>, 2003), from the top down and with what is below free to answer.
+ * Bodies with Stacking</i>, 2003), from the top down and with the supports free to move.
  */
 public final class ShockPropagation {
 
-    /** Rounds in which the points below a body share what is left to stop. */
+    /** Rounds in which the points below a body share the rest to be stopped. */
     private static final int ROUNDS = 8;
 
     private final Motions motions;
@@ -96,7 +96,7 @@ public final class ShockPropagation {
         return isClosing;
     }
 
-    /** Speed at which a point parts if what is below it is as fast as it can be, m/s. */
+    /** Speed at which a point parts if its support is as fast as possible, m/s. */
     private double parting(int row, int point, int entry) {
         double[] m = motions.data;
         int upper = entry * Motions.STRIDE;
@@ -167,7 +167,7 @@ public final class ShockPropagation {
         return contacts.data[at] - before[2 * row + point];
     }
 
-    /** Impulse by which a point stops its share, N·s; it takes back what it gave at most. */
+    /** Impulse by which a point stops its share, N·s; at most it takes back its earlier impulse. */
     private double more(int row, int point, int entry, double share) {
         int upper = entry * Motions.STRIDE;
         double lever = supports.leverOfUpper(row, point);

@@ -11,9 +11,10 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * What each body of an island lies on: the contacts below it, as the island's pull tells, down to
- * bodies that impulses do not move. Bodies are ordered from the ground up, and each that is held
- * has a speed at which it can sink at most, because all below it can only close their gaps.
+ * The supports of each body of an island: the contacts below it, by the direction of the island's
+ * pull, down to bodies that impulses do not move. Bodies are ordered from the ground up. Each body
+ * that is held has a greatest speed of sinking, since all bodies below it can only close their
+ * gaps.
  */
 final class Supports {
 
@@ -108,7 +109,7 @@ final class Supports {
         return isAUpper[row] ? contacts.bodyB[row] : contacts.bodyA[row];
     }
 
-    /** Whether what is below a contact is held. */
+    /** Whether the body below a contact is held. */
     boolean isHeldBelow(int row) {
         return sinks[lower(row) / Motions.STRIDE] < Double.POSITIVE_INFINITY;
     }

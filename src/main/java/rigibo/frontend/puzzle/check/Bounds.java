@@ -8,9 +8,9 @@ import java.util.Locale;
 import java.util.OptionalInt;
 
 /**
- * What the figures of a level of the game should be, by its place in its world: the first three
- * teach, the others are puzzles that luck does not solve. Told, but no errors: a figure out of
- * bounds asks for a second look, not for another level.
+ * Bounds of the figures of a level of the game, by its place in its world: the first three levels
+ * teach, the others are puzzles that luck does not solve. A figure out of bounds is reported but is
+ * no error: it asks for a second look, not for another level.
  */
 final class Bounds {
 
@@ -22,7 +22,7 @@ final class Bounds {
 
     private static final int LEAST_PAR = 2;
 
-    /** Largest share of orders and times that may win, at first and at the end of a world. */
+    /** Largest share of orders and times that may win, at the start and at the end of a world. */
     private static final double MOST_WINS = 0.30;
 
     private static final double MOST_WINS_AT_THE_END = 0.05;
@@ -32,10 +32,10 @@ final class Bounds {
     private Bounds() {}
 
     /**
-     * What is out of bounds, a line each.
+     * The figures out of bounds, a line each.
      *
-     * @param place of the level in its world, from 1; none for one that is not of the game
-     * @param wins how many games of par clicks win
+     * @param place of the level in its world, from 1; empty for a level that is not of the game
+     * @param wins number of won games of par clicks
      * @param misleads whether something looks right and loses
      */
     static List<String> told(OptionalInt place, Level level, Share wins, boolean misleads) {

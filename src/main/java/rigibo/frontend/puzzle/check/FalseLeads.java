@@ -20,16 +20,17 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
- * Finds what looks right and loses. First clicks do that other games win by, made too early, and
- * those that bring a ball nearer to the platform. So do those after which every ball lies where it
- * lay, but nothing wins any more, which nobody sees; a solution that lacks one click, of which each
- * is right; and as many clicks as par that bring a ball nearer and do not win.
+ * Finds clicks that look right and lose. These are first clicks that other games win by, made too
+ * early, and clicks that bring a ball nearer to the platform. They are also clicks after which
+ * every ball lies where it lay, but no click wins any more, which players cannot see; a solution
+ * that lacks one click, of which each is right; and orders of par clicks that bring a ball nearer
+ * and do not win.
  */
 final class FalseLeads {
 
     private static final int MOMENT = Steps.of(1);
 
-    /** How much nearer a ball must come for a player to take it for progress, m. */
+    /** Distance by which a ball must come nearer to count as progress for a player, m. */
     private static final double PROGRESS = 0.5;
 
     /** Distance by which a ball may move and still lie where it lay, m: half of its radius. */
@@ -39,13 +40,11 @@ final class FalseLeads {
     private final Games games;
     private final Losses losses;
 
-    /** What counts as lost. */
+    /** Which games count as lost. */
     enum Losses {
-        /** A ball that rolls off the platform or leaves the world. */
+        /** Games in which a ball rolls off the platform or leaves the world. */
         OF_THE_BALL,
-        /**
-         * Also a game that goes on, but that no further click wins; each takes a search to tell.
-         */
+        /** Also games that go on although no further click wins; each takes a search. */
         AND_DEAD_ENDS
     }
 
@@ -58,7 +57,7 @@ final class FalseLeads {
     /**
      * Finds first clicks that mislead, at the game's own accuracy.
      *
-     * @param winning what is clicked in games that are won
+     * @param winning targets of the clicks of games that are won
      * @return their ids, in the level's order
      */
     List<String> first(Set<String> winning) {
@@ -68,7 +67,7 @@ final class FalseLeads {
                 .toList();
     }
 
-    /** Finds clicks of a solution without which all its others mislead; returns their ids. */
+    /** Finds clicks of a solution without which all its other clicks mislead; returns their ids. */
     List<String> forgotten(Solution solution) {
         List<Act> clicks = Replay.of(level, solution, Accuracy.GAME).acts();
         return games.each(clicks)
@@ -77,7 +76,7 @@ final class FalseLeads {
                 .toList();
     }
 
-    /** Finds clicks that bring a ball nearer and lose, among those of some lost games. */
+    /** Finds an order of clicks that brings a ball nearer and loses, among some lost games. */
     Optional<List<Act>> order(List<List<Act>> lost) {
         return games.each(lost).filter(clicks -> misleads(clicks, false)).findFirst();
     }
@@ -125,7 +124,7 @@ final class FalseLeads {
         return isAllClicked || !search.winsAfter(clicks, trial.game().steps());
     }
 
-    /** Distance of the nearest ball from the platform's middle, m. */
+    /** Distance from the platform's middle to the nearest ball, m. */
     private static double distance(PuzzleGame game) {
         RigidBody platform = game.platform();
         return game.balls().stream()

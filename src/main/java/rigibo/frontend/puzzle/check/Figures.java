@@ -6,16 +6,16 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What a check found out about a level that is a puzzle.
+ * The findings of a check about a level that is a puzzle.
  *
  * @param par clicks of its shortest solution
- * @param clickables how many things can be clicked
+ * @param clickables number of targets
  * @param orders games of par clicks that the search played
  * @param wins how many of them were won
  * @param falseLeads first clicks that look right and lose, in the level's order
  * @param traps clicks of the solution without which the others look right and lose
  * @param wonAfter steps after which the stated solution wins
- * @param travel length of the ball's way until then, whole cm
+ * @param travel length of the ball's path until then, whole cm
  */
 public record Figures(
         int par,

@@ -9,7 +9,7 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.function.LongConsumer;
 import java.util.stream.Stream;
 
-/** Plays the games of a check, on one core or on all, and counts what that takes. */
+/** Plays the games of a check, on one core or on all, and counts games and steps. */
 final class Games {
 
     private final Cores cores;
@@ -17,9 +17,9 @@ final class Games {
     private final LongAdder steps = new LongAdder();
     private final LongConsumer told;
 
-    /** How many cores a check may use. */
+    /** The cores that a check may use. */
     enum Cores {
-        /** Only the one that runs the calling thread, beside a game that somebody plays. */
+        /** Only the core of the calling thread, beside a game that a player plays. */
         ONE,
         ALL
     }
@@ -34,7 +34,7 @@ final class Games {
         this.told = told;
     }
 
-    /** The elements of a list, to be played with. */
+    /** The elements of a list, as a stream on the chosen cores. */
     <T> Stream<T> each(List<T> some) {
         return cores == Cores.ONE ? some.stream() : some.parallelStream();
     }
@@ -42,7 +42,8 @@ final class Games {
     /**
      * Plays given clicks until the game ends.
      *
-     * @throws CancellationException when the thread was interrupted, since nobody waits any more
+     * @throws CancellationException when the thread was interrupted, since the result is no longer
+     *     wanted
      */
     Verdict play(Level level, Replay replay) {
         if (Thread.currentThread().isInterrupted()) {

@@ -45,11 +45,11 @@ final class LevelCheck {
     }
 
     /**
-     * Plays a level without loading errors; adds what is wrong to its problems.
+     * Plays a level without loading errors; adds its errors to its problems.
      *
-     * @param place of the level in its world, from 1; none for one that is not of the game
-     * @param told the number of games after each, on any thread
-     * @return what was played, in words, a line each
+     * @param place of the level in its world, from 1; empty for a level that is not of the game
+     * @param told receives the number of games after each, on any thread
+     * @return a report of what was played, a line each
      */
     static List<String> play(
             LoadedLevel loaded,

@@ -9,18 +9,16 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.LongConsumer;
 
-/**
- * Finds all problems of a level's text, including those that appear only in play; takes seconds.
- */
+/** Finds all problems of a level's text, including those that only play shows; takes seconds. */
 public final class LevelProof {
 
     private LevelProof() {}
 
     /**
-     * Reports what {@code levels check --accuracy GAME} finds in a text.
+     * Reports the findings of {@code levels check --accuracy GAME} on a text.
      *
-     * @param name what messages call it
-     * @param told the number of games played so far, after each, on any thread
+     * @param name of the text in messages
+     * @param told receives the number of games played so far, after each, on any thread
      */
     public static List<Problem> problems(String name, String text, LongConsumer told) {
         LoadedLevel loaded = new LevelLoader().parse(name, text);

@@ -10,8 +10,8 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * The command {@code levels check}: lists each level, what was proved of it, and its problems;
- * needs no window.
+ * The command {@code levels check}: lists each level, the proved facts and the problems; needs no
+ * window.
  */
 public final class LevelsCheck {
 

@@ -18,8 +18,8 @@ import java.util.stream.IntStream;
 final class NeededClicks {
 
     /**
-     * Most clicks of a solution of which every subset is played; of a longer one, only the subsets
-     * that lack one click.
+     * Most clicks of a solution whose subsets are all played; of a longer one, only the subsets
+     * that lack a single click.
      */
     private static final int LONGEST = 6;
 

@@ -19,9 +19,9 @@ import java.util.stream.IntStream;
 /**
  * Searches orders and times of clicks, with one click more in each round, up to par.
  *
- * <p>It covers every order of what can be clicked. Each is clicked at the end of the cooldown, then
- * every half second as long as something moves; at rest the moment of a click does not matter, so
- * one moment stands for all later ones. A finished game is not searched further. A round with more
+ * <p>It covers every order of the targets. Each is clicked at the end of the cooldown, then every
+ * half second as long as something moves; at rest the moment of a click does not matter, so one
+ * moment stands for all later ones. A finished game is not searched further. A round with more
  * games than {@link #MOST_GAMES} is sampled, with a fixed seed.
  */
 final class OrderSearch {
@@ -47,13 +47,13 @@ final class OrderSearch {
     }
 
     /**
-     * What the search found.
+     * The findings of the search.
      *
-     * @param wins how many games of par clicks are won
-     * @param fewer how many of those with fewer clicks; the search ends with the first
-     * @param winning what is clicked in the games won
+     * @param wins number of won games of par clicks
+     * @param fewer number of won games of fewer clicks; the search ends with the first
+     * @param winning targets of the clicks of won games
      * @param lost the clicks of games of par clicks that are not won
-     * @param shorter clicks that win with less than par, if there are any
+     * @param shorter clicks that win with less than par, if any
      */
     record Found(
             Share wins,

@@ -18,17 +18,17 @@ import java.util.stream.IntStream;
 /** E160: the level is not at rest before the first click. */
 final class RestCheck {
 
-    /** Steps for which a player may look before the first click without anything moving. */
+    /** Steps for which nothing may move before the first click, while a player looks. */
     private static final int LOOKING = Steps.of(3);
 
-    /** Largest settling that nobody sees, m: less than a pixel and a half. */
+    /** Largest movement that is not visible, m: less than a pixel and a half. */
     private static final double SETTLING = 0.015;
 
     private static final double MILLIMETRES = 1000;
 
     private RestCheck() {}
 
-    /** Whether nothing moves by itself, as far as anybody sees. */
+    /** Whether nothing moves visibly without a click. */
     static boolean isAtRest(Level level, List<Preset> presets) {
         return presets.stream().map(preset -> looked(level, preset)).allMatch(RestCheck::isAtRest);
     }

@@ -3,11 +3,11 @@ package rigibo.frontend.puzzle.check;
 import java.util.Locale;
 
 /**
- * How many of some games were won.
+ * The share of games that were won.
  *
  * @param wins games won
- * @param games games played, all that there are or a sample of them
- * @param isWhole whether they are all that there are
+ * @param games games played: all that exist, or a sample
+ * @param isWhole whether they are all that exist
  */
 record Share(int wins, int games, boolean isWhole) {
 
@@ -16,14 +16,14 @@ record Share(int wins, int games, boolean isWhole) {
     /** Standard deviations of a normal distribution that hold 95 % of it to both sides. */
     private static final double Z = 1.96;
 
-    /** Of the games played, 0 to 1; 0 where there are none. */
+    /** Share of the games played, 0 to 1; 0 if there are none. */
     double value() {
         return wins / (double) Math.max(1, games);
     }
 
     /**
-     * One end of the interval that holds the share of all games with 95 % certainty: the lower one
-     * with side -1, the upper one with 1.
+     * A bound of the interval that holds the share of all games with 95 % certainty: the lower one
+     * for side -1, the upper one for 1.
      *
      * <p>Wilson, Probable Inference, the Law of Succession, and Statistical Inference, 1927: unlike
      * the normal approximation it holds for few wins, and for none.
@@ -34,12 +34,12 @@ record Share(int wins, int games, boolean isWhole) {
         return (value() + Z * Z / (2 * n) + side * spread) / (1 + Z * Z / n);
     }
 
-    /** The least that the share of all games may be, 0 to 1; with 95 % certainty for a sample. */
+    /** Lower bound of the share of all games, 0 to 1; with 95 % certainty for a sample. */
     double least() {
         return isWhole ? value() : end(-1);
     }
 
-    /** The most that the share of all games may be. */
+    /** Upper bound of the share of all games. */
     double most() {
         return isWhole ? value() : end(1);
     }

@@ -17,13 +17,13 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * Keeps a level that was made by chance only if {@code levels check --accuracy GAME} would pass it
- * and it is a puzzle: no luck solves it, and something misleads. Tests come in the order of their
- * cost, and the first that fails ends it. Uses the calling thread alone.
+ * Keeps a level made by chance only if {@code levels check --accuracy GAME} would pass it and it is
+ * a puzzle: luck does not solve it, and something misleads. Tests come in the order of their cost,
+ * and the first that fails ends it. Uses the calling thread alone.
  */
 public final class Sieve {
 
-    /** Clicks of a solution, at least and at most. */
+    /** Least and greatest number of clicks of a solution. */
     private static final int LEAST_PAR = 2;
 
     private static final int MOST_PAR = 5;
@@ -31,7 +31,7 @@ public final class Sieve {
     /** Largest share of orders that may win. */
     private static final double MOST_WINS = 0.3;
 
-    /** Time by which a player may be late with each click, s. */
+    /** Delay of each click that must not lose the game, s. */
     private static final double LATE = 0.25;
 
     private static final double CENTIMETRES = 100;
@@ -50,8 +50,8 @@ public final class Sieve {
     }
 
     /**
-     * Returns what was found out about a level with one solution, whose clicks are its par; empty
-     * if it is no puzzle.
+     * Returns the findings on a level with one solution, whose clicks are its par; empty if it is
+     * no puzzle.
      *
      * @throws java.util.concurrent.CancellationException when the thread was interrupted
      */
@@ -84,7 +84,7 @@ public final class Sieve {
                 (int) Math.round(travel * CENTIMETRES));
     }
 
-    /** Plays a game to its end; returns the length of the first ball's way, m. */
+    /** Plays a game to its end; returns the length of the first ball's path, m. */
     private double travel(Trial trial) {
         RigidBody ball = trial.game().balls().get(0);
         double travel = 0;
@@ -117,7 +117,7 @@ public final class Sieve {
         return !leads.forgotten(solution).isEmpty() || !leads.first(targets(solution)).isEmpty();
     }
 
-    /** Dead ends are left out: to count them too would give every seed another level. */
+    /** Dead ends are left out: counting them would give every seed another level. */
     private FalseLeads leads(Level level) {
         return new FalseLeads(level, games, FalseLeads.Losses.OF_THE_BALL);
     }
@@ -126,7 +126,7 @@ public final class Sieve {
         return solution.clicks().stream().map(Click::target).collect(Collectors.toSet());
     }
 
-    /** A solution with each click late, after the one before it was. */
+    /** A solution with each click delayed, relative to the one before it. */
     private static Solution late(Solution solution) {
         List<Click> clicks = solution.clicks();
         return new Solution(
@@ -139,7 +139,7 @@ public final class Sieve {
         return new Click(click.seconds() + seconds, click.target());
     }
 
-    /** Games that were played for all levels so far. */
+    /** Games played for all levels so far. */
     public long games() {
         return games.played();
     }

@@ -13,13 +13,13 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Clicks each thing that can be clicked alone, on each preset asked for, as the file states it and
- * with small displacements. The moment of the click is always the same, since E160 proves that the
- * level rests until the first click.
+ * Clicks each target alone, on each preset asked for, as the file states the level and with small
+ * displacements. The moment of the click is always the same, since E160 proves that the level rests
+ * until the first click.
  */
 final class SingleClicks {
 
-    /** Varied games per target and preset; they differ from the stated one only by luck. */
+    /** Varied games per target and preset; they differ from the stated one by chance only. */
     private static final int SEEDS = 4;
 
     private static final int MOMENT = Steps.of(1);

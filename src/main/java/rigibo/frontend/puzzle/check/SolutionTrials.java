@@ -21,21 +21,24 @@ record SolutionTrials(List<Game> games) {
     /** Varied games per preset. */
     private static final int SEEDS = 40;
 
-    /** How late a click may be and still win, steps: a player who sees what to do is slower. */
+    /**
+     * Delay at which a click must still win, steps: a player who sees what to do is slower than the
+     * file.
+     */
     private static final int LATEST = Steps.of(0.25);
 
     /**
-     * How late a click of a level made by chance is here, steps. {@link Sieve} asks on its own for
-     * more; another delay here would give every seed another level.
+     * That delay for a level made by chance, steps. {@link Sieve} tests a larger one on its own;
+     * another delay here would give every seed another level.
      */
     private static final int LATEST_OF_MADE = Steps.of(0.1);
 
     /**
      * One game.
      *
-     * @param preset how exactly it was simulated
+     * @param preset accuracy of the simulation
      * @param seed of its jitter
-     * @param verdict how it went
+     * @param verdict the outcome
      */
     record Game(Preset preset, int seed, Verdict verdict) {
 

@@ -12,7 +12,7 @@ import java.util.Optional;
 /**
  * Proves that a level's secret star can be earned, and that the solution which is shown does not
  * earn it. Unlike a solution the star may take skill: it must be earned as the file states it, and
- * in most games with everything a little aside.
+ * in most games with small displacements.
  */
 final class StarTrials {
 
@@ -37,12 +37,12 @@ final class StarTrials {
         return games.stream().filter(SolutionTrials.Game::hasStar).count();
     }
 
-    /** What was found, in words. */
+    /** The findings in words. */
     String words() {
         return "earned in " + earned() + " of " + games.size() + " games";
     }
 
-    /** What is wrong with the star, if anything is. */
+    /** The fault of the star, if it has one. */
     Optional<Fault> fault() {
         Optional<Fault> missed =
                 games.stream()

@@ -15,12 +15,12 @@ import java.util.Locale;
  */
 record Verdict(End end, int steps, int still, String why, boolean hasStar) {
 
-    /** How a game may end. */
+    /** The ways in which a game may end. */
     enum End {
         WON,
         /** Lost, or undecided for too long. */
         LOST,
-        /** Everything is at rest, and only one more click would help. */
+        /** All bodies are at rest, and only one more click would help. */
         STUCK,
         /** A click was not allowed. */
         REFUSED

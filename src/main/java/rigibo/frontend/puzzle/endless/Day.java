@@ -20,18 +20,16 @@ import java.util.Optional;
 import java.util.stream.LongStream;
 
 /**
- * The level of a day, which is the same for everybody: its seed is the date.
+ * The level of a day, the same for all players: its seed is the date.
  *
- * @param date where the day begins first, by UTC
+ * @param date by UTC
  */
 public record Day(LocalDate date) implements Occasion {
 
-    /**
-     * Seeds of a day; a date without any level is very unlikely, and none goes without ten times.
-     */
+    /** Seeds of a day. A date without a level at any of ten seeds is very unlikely. */
     private static final int SEEDS = 10;
 
-    /** Distance between the seeds of a day: more than any date has digits for. */
+    /** Distance between the seeds of a day: larger than any date as a number. */
     private static final long PITCH = 100_000_000;
 
     private static final int YEAR = 10_000;
@@ -40,7 +38,7 @@ public record Day(LocalDate date) implements Occasion {
     /** Seeds of earlier years are numbers of endless levels. */
     private static final int FIRST_YEAR = 2000;
 
-    /** The day that a clock shows in UTC, the same all over the world. */
+    /** The day that a clock shows in UTC. */
     public static Day of(Clock clock) {
         return new Day(clock.instant().atZone(ZoneOffset.UTC).toLocalDate());
     }
@@ -73,7 +71,7 @@ public record Day(LocalDate date) implements Occasion {
         return words.of("made.day", written(words, date));
     }
 
-    /** A date as it is written in the player's language. */
+    /** Formats a date in the player's language. */
     private static String written(Words words, LocalDate day) {
         String[] parts = day.toString().split("-");
         return words.of("made.date", parts[0], parts[1], parts[2]);
@@ -129,7 +127,7 @@ public record Day(LocalDate date) implements Occasion {
         return Optional.empty();
     }
 
-    /** A day is remembered once it is solved. */
+    /** A day is stored when it is solved, not when it is reached. */
     @Override
     public void reached(Director director) {}
 }

@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.stream.LongStream;
 
 /**
- * One level after the other, by their numbers; the next one is prepared while one is played.
+ * Levels one after the other, by their numbers; the next one is prepared while one is played.
  *
  * @param number seed of the next level, from 1
  */
@@ -41,7 +41,7 @@ public record Endless(int number) implements Occasion {
         return List.of();
     }
 
-    /** A number may have no level; what is played is the first after it that has one. */
+    /** A number may have no level; then the first later number that has one is played. */
     @Override
     public Occasion of(Making.Made made) {
         return new Endless(Math.toIntExact(made.seed()));

@@ -8,7 +8,10 @@ import rigibo.frontend.scene.Progress;
 
 import java.util.function.Consumer;
 
-/** Counts the tries at a level that was made, while it is played; what it is solved by goes on. */
+/**
+ * Counts the tries at a level made by chance while it is played, and passes on a game that solves
+ * it.
+ */
 final class MadeLedger implements Ledger {
 
     private final String id;
@@ -19,7 +22,7 @@ final class MadeLedger implements Ledger {
     /**
      * A ledger without tries.
      *
-     * @param winner keeps a game that solved the level
+     * @param winner receives a game that solved the level
      */
     MadeLedger(Level level, Consumer<PuzzleGame> winner) {
         id = level.id();

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
-/** A level being made on a thread of its own, so that no window waits for it. */
+/** Makes a level on a thread of its own, so that no window waits. */
 public final class Making {
 
     private final List<Long> seeds;
@@ -20,12 +20,12 @@ public final class Making {
     /**
      * A level that was made.
      *
-     * @param seed that it is the level of
-     * @param level as the seed decides it
+     * @param seed whose level it is
+     * @param level decided by the seed
      */
     public record Made(long seed, Level level) {
 
-        /** A level that knows the seed that it was made from. */
+        /** A level that states the seed from which it was made. */
         static Made of(Level level) {
             return new Made(level.origin().orElseThrow().seed(), level);
         }
@@ -39,7 +39,7 @@ public final class Making {
     public static Making begin(List<Long> seeds) {
         Making making = new Making(seeds);
         making.thread.setDaemon(true);
-        // Whoever plays meanwhile goes first.
+        // A game in play has precedence.
         making.thread.setPriority(Thread.MIN_PRIORITY);
         making.thread.start();
         return making;
@@ -51,17 +51,17 @@ public final class Making {
             made = generator.first(seeds).map(Generated::level).map(Made::of);
             isHopeless = made.isEmpty();
         } catch (CancellationException stopped) {
-            // Nobody waits any more.
+            // The result is no longer wanted.
             made = Optional.empty();
         }
     }
 
-    /** The level; empty as long as it is being made. */
+    /** The level; empty while it is being made. */
     public Optional<Made> made() {
         return made;
     }
 
-    /** The work so far on a seed; empty before the first game. */
+    /** The work so far on the present seed; empty before the first game. */
     public Optional<Generated.Effort> effort() {
         return effort;
     }
@@ -71,12 +71,12 @@ public final class Making {
         return isHopeless;
     }
 
-    /** Stops within a game of the check, unless it is done. */
+    /** Stops within a game of the check, unless the level is made. */
     public void stop() {
         thread.interrupt();
     }
 
-    /** Waits until it is done or stopped; for tests. */
+    /** Waits until it has ended or was stopped; for tests. */
     public void await() throws InterruptedException {
         thread.join();
     }

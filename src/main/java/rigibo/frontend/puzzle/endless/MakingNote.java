@@ -9,8 +9,8 @@ import rigibo.frontend.scene.Words;
 import rigibo.frontend.scene.widget.Print;
 
 /**
- * Says that a level is being made and how far that is, with dots that come one after the other, or
- * that none can be.
+ * Draws a note that a level is being made, with dots that appear one after the other, or that none
+ * can be made.
  */
 public final class MakingNote {
 
@@ -18,18 +18,21 @@ public final class MakingNote {
     private static final int DOT_STEPS = Steps.of(0.5);
     private static final double DOT_PITCH = 26;
 
-    /** From the middle of the note to the words how far the search is, px. */
+    /** Distance from the middle of the note to the words about the search, px. */
     private static final double EFFORT = 54;
 
     private MakingNote() {}
 
-    /** Says whether a level is being made, and not how far that is, which changes all the time. */
+    /**
+     * Tells screen readers whether a level is being made, but not the effort, which changes all the
+     * time.
+     */
     public static void describe(Narrator narrator, Words words, Making making) {
         narrator.says(words.of(making.isHopeless() ? "made.none" : "made.making"));
     }
 
     /**
-     * Draws it.
+     * Draws the note.
      *
      * @param middle of it, px
      * @param y middle of it, px

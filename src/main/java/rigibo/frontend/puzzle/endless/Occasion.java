@@ -8,36 +8,36 @@ import rigibo.frontend.scene.Words;
 import java.util.List;
 import java.util.Optional;
 
-/** Why a level is made, and what becomes of its results. */
+/** The reason why a level is made, and the use of its results. */
 public sealed interface Occasion permits Day, Endless {
 
-    /** Seeds of which the first that has a level is taken. */
+    /** Seeds, of which the first that has a level is taken. */
     List<Long> seeds();
 
-    /** A heading. */
+    /** The heading. */
     String title(Words words);
 
-    /** A heading over the results so far. */
+    /** The heading over the results so far. */
     String resultsTitle(Director director);
 
-    /** The results so far, best shown first, a line of columns each. */
+    /** The results so far, the best first, a line of columns each. */
     List<List<String>> results(Director director);
 
-    /** Where the results of a level that was made for it are kept. */
+    /** The ledger for a level that was made for this occasion. */
     Ledger ledger(Director director, Level level);
 
     /**
-     * The occasion that a level was made for: where seeds without a level were passed over, a later
-     * one than was asked for.
+     * The occasion of a level that was made: if seeds without a level were skipped, it is later
+     * than the one asked for.
      */
     Occasion of(Making.Made made);
 
-    /** A level under the name that it has on this occasion. */
+    /** A level with its name on this occasion. */
     Level named(Level level, Words words);
 
-    /** The occasion to go on to, be this level solved or not; empty if this is the only one. */
+    /** The next occasion, whether this level is solved or not; empty if this is the only one. */
     Optional<Occasion> next();
 
-    /** Remembers that the player has come this far. */
+    /** Stores that the player has come this far. */
     void reached(Director director);
 }

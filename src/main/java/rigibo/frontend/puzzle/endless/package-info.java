@@ -1,6 +1,6 @@
 /**
- * Why levels are made by chance, of the day or one after the other: their seeds, their making on a
- * thread of its own, and what is kept of their results. Knows no scene: the room above shows and
- * plays what is made.
+ * The occasions on which levels are made by chance, the day or the next in a row: their seeds,
+ * their making on a thread of its own, and the record of their results. Knows no scene; the room
+ * above shows and plays the levels.
  */
 package rigibo.frontend.puzzle.endless;

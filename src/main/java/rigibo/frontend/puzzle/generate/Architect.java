@@ -5,7 +5,7 @@ import rigibo.frontend.puzzle.level.Substance;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Draws the plan of a level: one way to the right, or one to the right and one back below it. */
+/** Draws the plan of a level: one path to the right, or one to the right and one back below it. */
 final class Architect {
 
     static final List<Start> STARTS =
@@ -22,15 +22,15 @@ final class Architect {
     /** Room at the sides of the world, m. */
     private static final double EDGE = 0.35;
 
-    /** Fall of the way for each metre, m. */
+    /** Fall of the path for each metre, m. */
     private static final double LEAST_SLOPE = 0.08;
 
     private static final double MOST_SLOPE = 0.14;
 
-    /** Shortest piece of plain way before and after what is on it, m. */
+    /** Shortest plain part of the path before and after a piece, m. */
     private static final double PLAIN = 0.45;
 
-    /** The draw of a goal with a lid. */
+    /** The value drawn for a goal with a lid. */
     private static final int LIDDED = 3;
 
     private final Chance chance;
@@ -79,7 +79,7 @@ final class Architect {
         return chance.oneOf(STARTS);
     }
 
-    /** A goal at the end of a way: with a lid, unless the way has its own trap. */
+    /** A goal at the end of a path: with a lid, unless the path has a trap of its own. */
     private Goal goal(List<Way> ways) {
         boolean isTrapped = ways.stream().anyMatch(BridgeWay.class::isInstance);
         return switch (isTrapped ? chance.below(5) : LIDDED) {
@@ -106,7 +106,7 @@ final class Architect {
         return ways;
     }
 
-    /** Lays a sloping way up to an x, with pieces on it at even distances; returns its end. */
+    /** Lays a sloping path up to an x, with pieces on it at even distances; returns its end. */
     private Spot lay(Spot from, double right, List<Way> pieces) {
         double slope = chance.between(LEAST_SLOPE, MOST_SLOPE);
         double taken = pieces.stream().mapToDouble(Way::length).sum();

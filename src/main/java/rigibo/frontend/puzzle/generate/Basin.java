@@ -23,7 +23,7 @@ final class Basin implements Goal {
         build(plan, from, from.y() - 0.03, from.y() + 1);
     }
 
-    /** Builds it with walls of two heights; returns the upper corners of the walls inside. */
+    /** Builds it with walls up to two heights; returns the upper inner corners of the walls. */
     void build(Plan plan, Spot from, double leftTop, double rightTop) {
         double floor = from.y() - depth;
         double left = from.x() + WALL;
@@ -33,7 +33,7 @@ final class Basin implements Goal {
         plan.platform((left + right) / 2, floor, width);
     }
 
-    /** The upper inner corner of the left wall, whose top is at a height. */
+    /** The upper inner corner of the left wall, whose top is at {@code top}. */
     Spot leftCorner(Spot from, double top) {
         return new Spot(from.x() + WALL, top);
     }

@@ -12,7 +12,7 @@ import java.util.TreeMap;
 import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
 
-/** What the levels of many seeds are like, together. */
+/** Statistics of the levels of many seeds. */
 final class Census {
 
     private final List<Generated> levels = new ArrayList<>();
@@ -36,7 +36,7 @@ final class Census {
         return levels.size() == seeds;
     }
 
-    /** Levels whose figures another one has as well. */
+    /** Number of levels that share their figures with another one. */
     int alike() {
         return byFigures.values().stream()
                 .filter(count -> count > 1)
@@ -62,7 +62,7 @@ final class Census {
                 work("steps", level -> level.effort().steps()));
     }
 
-    /** The median and the largest of some figure. */
+    /** The median and the largest of a figure. */
     private String work(String what, ToLongFunction<Generated> figure) {
         long[] sorted = levels.stream().mapToLong(figure).sorted().toArray();
         return sorted.length == 0

@@ -3,9 +3,9 @@ package rigibo.frontend.puzzle.generate;
 import java.util.List;
 
 /**
- * Random numbers that a seed decides, with the same bits on every Java and in browsers: SplitMix64
- * (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014). The library's
- * generators fix their bits, but not how they make numbers of a range out of them.
+ * Random numbers from a seed, with the same bits on every Java and in browsers: SplitMix64 (Steele,
+ * Lea and Flood, Fast splittable pseudorandom number generators, 2014). The library's generators
+ * specify their bits, but not how they derive numbers of a range.
  */
 final class Chance {
 
@@ -45,7 +45,7 @@ final class Chance {
         return least + below(steps + 1) / PER_METRE;
     }
 
-    /** Whether something happens that does so in {@code percent} of all cases. */
+    /** Whether an event of this probability in {@code percent} happens. */
     boolean happens(int percent) {
         return below(PERCENT) < percent;
     }

@@ -1,12 +1,12 @@
 package rigibo.frontend.puzzle.generate;
 
-/** A tall box in a frame that hangs over a level piece of way; no ball pushes it over. */
+/** A tall box in a frame that hangs over a level part of the path; no ball pushes it over. */
 final class Door {
 
-    /** Distance from the beginning of the level piece to the door, m. */
+    /** Distance from the beginning of the level part to the door, m. */
     static final double REBATE = 0.02;
 
-    /** Room in the frame, so that a door a centimetre aside still falls clear, m. */
+    /** Clearance in the frame, so that a door displaced by a centimetre still falls freely, m. */
     private static final double PLAY = 0.015;
 
     private static final double FRAME = 0.2;
@@ -23,7 +23,7 @@ final class Door {
         return width + 2 * REBATE;
     }
 
-    /** Builds it on from a spot; returns the door's id. */
+    /** Builds it from a spot on; returns the door's id. */
     String build(Plan plan, Spot at) {
         plan.slope(at, at.plus(length(), 0));
         double left = at.x() + REBATE;

@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.generate;
 
-/** A door across the way, which holds the ball up until it is deleted. */
+/** A door across the path, which holds the ball until it is deleted. */
 final class DoorWay implements Way {
 
     private final Door door;

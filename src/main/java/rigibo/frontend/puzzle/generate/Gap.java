@@ -1,8 +1,7 @@
 package rigibo.frontend.puzzle.generate;
 
 /**
- * A gap in the way, as wide as the ball and a little more, with a seat in it for a block that
- * closes it.
+ * A gap in the path, a little wider than the ball, with a seat for a block that closes it.
  *
  * @param width of the seat, m
  */
@@ -11,14 +10,14 @@ record Gap(double width) {
     /** Length of each of the two lips on which a block comes to lie, m. */
     private static final double LIP = 0.13;
 
-    /** How much wider than the ball the gap between the lips is, m. */
+    /** Clearance of the ball between the lips, m. */
     private static final double FREE = 0.08;
 
-    /** Room beside the block, m: it may come down two centimetres aside. */
+    /** Clearance of the block in its seat, m: it may fall two centimetres aside. */
     private static final double PLAY = 0.03;
 
     /**
-     * How far the block's surface lies below the way before it, and the way after it below that.
+     * Depth of the block's surface below the path before it, and of the path after it below that.
      */
     private static final double STEP = 0.02;
 
@@ -29,7 +28,7 @@ record Gap(double width) {
         return new Gap(2 * radius + FREE + 2 * LIP);
     }
 
-    /** Builds the lips; returns where the way goes on. */
+    /** Builds the lips; returns the spot where the path goes on. */
     Spot build(Plan plan, Spot from) {
         double top = from.y() - STEP - BLOCK;
         double right = from.x() + width;

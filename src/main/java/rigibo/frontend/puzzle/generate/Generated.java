@@ -9,17 +9,17 @@ import java.util.Locale;
  * A level that was made from a seed.
  *
  * @param text as a level file
- * @param level the same, read
- * @param figures what the check found out about it
- * @param effort what it took to find it
+ * @param level read from the text
+ * @param figures findings of the check
+ * @param effort work of the search
  */
 public record Generated(String text, Level level, Figures figures, Effort effort) {
 
     /**
      * The work of a search, counted and not timed, so that it is the same on every machine.
      *
-     * @param plans that were tried
-     * @param games that were played with them
+     * @param plans tried
+     * @param games played with them
      * @param steps of 1/60 s in these games
      */
     public record Effort(int plans, long games, long steps) {

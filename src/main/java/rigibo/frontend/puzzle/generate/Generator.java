@@ -14,29 +14,29 @@ import java.util.function.Consumer;
 public final class Generator {
 
     /**
-     * Version of the generator: one more whenever a seed gets another level than before, so that a
-     * replay of the former level is told from one of the present.
+     * Version of the generator. It rises whenever a seed gets another level than before, so that
+     * replays of the former level are recognised.
      */
     public static final int VERSION = 1;
 
-    /** Plans tried with a seed before it is given up: it has no level then, on any machine. */
+    /** Plans tried with a seed; if all fail, the seed has no level, on any machine. */
     private static final int ATTEMPTS = 100;
 
     /**
-     * Boxes that a plan must have, in all and besides those to delete. With fewer, too many of the
-     * choices of par boxes are the right one: 1 of 3 with 2 of 3 boxes, but 1 of 4 with 3 of 4.
+     * Boxes that a plan must have, in all and besides those to delete. With fewer, too large a
+     * share of the choices of par boxes is right: 1 of 3 with 2 of 3 boxes, but 1 of 4 with 3 of 4.
      */
     private static final int LEAST_BOXES = 4;
 
     private static final int LEAST_DECOYS = 1;
 
-    /** The largest seed; all from 0 to here have levels of their own. */
+    /** The largest seed; all seeds from 0 to this one have levels of their own. */
     public static final long LAST_SEED = 999_999_999_999L;
 
     private final LevelLoader loader = new LevelLoader();
     private final Consumer<Generated.Effort> told;
 
-    /** A generator that tells nobody how far it is. */
+    /** A generator that does not report its work. */
     public Generator() {
         this(effort -> {});
     }
@@ -44,7 +44,8 @@ public final class Generator {
     /**
      * A generator.
      *
-     * @param told the work so far on the present seed, after each game, on the calling thread
+     * @param told receives the work so far on the present seed, after each game, on the calling
+     *     thread
      */
     public Generator(Consumer<Generated.Effort> told) {
         this.told = told;
@@ -83,7 +84,7 @@ public final class Generator {
         return Optional.empty();
     }
 
-    /** What was done for a seed so far. */
+    /** The work done for a seed so far. */
     private final class Search {
 
         private final Sieve sieve = new Sieve(games -> told.accept(effort()));

@@ -1,11 +1,11 @@
 package rigibo.frontend.puzzle.generate;
 
-/** Where the way ends: the platform and what is around it. */
+/** The end of the path: the platform and its surroundings. */
 interface Goal {
 
     /** Its length along x, m. */
     double length();
 
-    /** Builds it on from a spot. */
+    /** Builds it from a spot on. */
     void build(Plan plan, Spot from);
 }

@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.generate;
 
-/** A gap closed by a box that can be deleted, and must not be. */
+/** A gap closed by a box that can be deleted and must stay. */
 final class KeepWay implements Way {
 
     private final Gap gap;

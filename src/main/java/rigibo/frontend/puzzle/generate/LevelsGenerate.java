@@ -3,7 +3,7 @@ package rigibo.frontend.puzzle.generate;
 import java.io.PrintWriter;
 import java.util.Optional;
 
-/** The command {@code levels generate}: prints the levels of seeds, or what they are like. */
+/** The command {@code levels generate}: prints the levels of seeds, or statistics of them. */
 public final class LevelsGenerate {
 
     private static final int ALL_FOUND = 0;
@@ -12,7 +12,7 @@ public final class LevelsGenerate {
     private final PrintWriter out;
     private final PrintWriter err;
 
-    /** Levels go to {@code out}, what is told about them to {@code err}. */
+    /** Prints levels to {@code out} and reports to {@code err}. */
     public LevelsGenerate(PrintWriter out, PrintWriter err) {
         this.out = out;
         this.err = err;
@@ -39,8 +39,8 @@ public final class LevelsGenerate {
     }
 
     /**
-     * Prints a line for the level of each seed, and at the end how many there are, how many are
-     * alike, and what it took to find them.
+     * Prints a line for the level of each seed; at the end the number of levels, of those alike,
+     * and the work of finding them.
      *
      * @return 0 when each has a level, else 1
      */

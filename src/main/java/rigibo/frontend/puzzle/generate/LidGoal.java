@@ -5,7 +5,7 @@ final class LidGoal implements Goal {
 
     private static final double THICKNESS = 0.15;
 
-    /** How far the lid's ends reach over the walls' inner corners, m. */
+    /** Distance by which the lid's ends extend beyond the walls' inner corners, m. */
     private static final double BEYOND = 0.18;
 
     private final Basin basin;
@@ -28,7 +28,8 @@ final class LidGoal implements Goal {
         basin.build(plan, from, leftTop, rightTop);
         Spot left = basin.leftCorner(from, leftTop);
         Spot right = basin.rightCorner(from, rightTop);
-        // It lies on the left wall's inner corner, and on its own lower one at the right wall.
+        // The lid lies on the left wall's inner corner, and with its own lower corner on the right
+        // wall.
         Spot rightEnd = right.plus(BEYOND, 0);
         double slope = (rightEnd.y() - left.y()) / (rightEnd.x() - left.x());
         Spot leftEnd = left.plus(-BEYOND, -BEYOND * slope);

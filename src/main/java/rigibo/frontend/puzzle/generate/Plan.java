@@ -12,8 +12,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A level in the making. Parts are placed in a frame in which the ball goes to the right; {@link
- * #turn} makes right left from there on.
+ * A level in the making. Parts are placed in a frame in which the ball rolls to the right; after
+ * {@link #turn} the frame is mirrored.
  */
 final class Plan {
 
@@ -41,7 +41,7 @@ final class Plan {
      * A plan without parts.
      *
      * @param radius of the ball, m
-     * @param ground what all that never moves is made of
+     * @param ground substance of all bodies that never move
      */
     Plan(double radius, Substance ground) {
         this.radius = radius;
@@ -53,7 +53,7 @@ final class Plan {
         return radius;
     }
 
-    /** From here on the ball goes the other way. */
+    /** Mirrors the frame: from here on the ball rolls the other way. */
     void turn() {
         isMirrored = !isMirrored;
     }
@@ -64,7 +64,7 @@ final class Plan {
         ball.put("radius", radius).put("material", Substance.BALL.title());
     }
 
-    /** The platform, by the middle of its upper surface. */
+    /** Adds the platform, by the middle of its upper surface. */
     void platform(double x, double top, double width) {
         double height = 0.3;
         ObjectNode platform = document.putObject("platform");
@@ -72,12 +72,12 @@ final class Plan {
         platform.put("w", rounded(width)).put("h", height);
     }
 
-    /** A box that never moves. */
+    /** Adds a box that never moves. */
     void stone(double left, double bottom, double right, double top) {
         fixed(upright("stone" + ++stones, left, bottom, right, top));
     }
 
-    /** A slab that never moves, by the ends of its upper surface. */
+    /** Adds a slab that never moves, by the ends of its upper surface. */
     void slope(Spot from, Spot to) {
         double halfX = (to.x() - from.x()) / 2;
         double halfY = (to.y() - from.y()) / 2;
@@ -92,14 +92,14 @@ final class Plan {
         body.put("material", ground.title()).put("dynamic", false);
     }
 
-    /** A box that a click deletes; returns its id. */
+    /** Adds a box that a click deletes; returns its id. */
     String box(String role, double left, double bottom, double right, double top) {
         String id = free(role);
         deletable(upright(id, left, bottom, right, top));
         return id;
     }
 
-    /** A board that a click deletes, by the ends of its lower surface; returns its id. */
+    /** Adds a board that a click deletes, by the ends of its lower surface; returns its id. */
     String board(String role, Spot from, Spot to, double thickness) {
         String id = free(role);
         double angle = Angle.atan2(to.y() - from.y(), to.x() - from.x());
@@ -117,17 +117,17 @@ final class Plan {
         body.put("material", Substance.RIGIBO.title()).put("deletable", true);
     }
 
-    /** A box that moves, but that no click deletes. */
+    /** Adds a box that moves and that no click deletes. */
     void load(Substance made, double left, double bottom, double right, double top) {
         upright(free("load"), left, bottom, right, top).put("material", made.title());
     }
 
-    /** A convex body of stone that moves, by its corners about a point. */
+    /** Adds a convex body of stone that moves, by its corners about a point. */
     void wedge(Spot at, double... corners) {
         polygon(free("wedge"), at, corners).put("material", Substance.STONE.title());
     }
 
-    /** A role that no body has yet, with a number from the second on. */
+    /** A role with a number, from the second body of that role on. */
     private String free(String role) {
         long same = bodies.stream().filter(body -> isOf(body, role)).count();
         return same == 0 ? role : role + (same + 1);
@@ -176,29 +176,29 @@ final class Plan {
         return Math.round(value * PER_UNIT) / PER_UNIT;
     }
 
-    /** A click that has to be made before the ball comes. */
+    /** States a click that must come before the ball moves. */
     void prepares(String id) {
         preparing.add(id);
     }
 
-    /** A click that brings the ball on its way, after those named before. */
+    /** States a click that releases the ball, after those stated before. */
     void releases(String id) {
         releasing.add(id);
     }
 
-    /** How many boxes and boards a click deletes. */
+    /** Number of boxes and boards that a click deletes. */
     int boxes() {
         return (int) bodies.stream().filter(body -> body.has("deletable")).count();
     }
 
-    /** The clicks that should win, in an order in which they do. */
+    /** The clicks that should win, in a winning order. */
     List<String> clicks() {
         List<String> clicks = new ArrayList<>(preparing);
         clicks.addAll(releasing);
         return clicks;
     }
 
-    /** What has been placed: the members {@code ball}, {@code platform} and {@code bodies}. */
+    /** The parts placed so far: the members {@code ball}, {@code platform} and {@code bodies}. */
     ObjectNode document() {
         ObjectNode placed = document.deepCopy();
         placed.putArray("bodies").addAll(bodies);

@@ -13,13 +13,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Plays a planned order of clicks as a patient player does, to find the times of a solution. */
+/** Plays a planned order of clicks like a patient player, to find the times of a solution. */
 final class Rehearsal {
 
     /** Moment of the first click, steps. */
     private static final int BEGIN = Steps.of(1);
 
-    /** Longest time after a click for which everything is waited to come to rest, steps. */
+    /** Longest wait for rest after a click, steps. */
     private static final int PATIENCE = Steps.of(5);
 
     /** Clicks come at whole multiples of this, steps, so that files hold short numbers. */
@@ -43,7 +43,7 @@ final class Rehearsal {
         return Optional.of(new Solution(clicks));
     }
 
-    /** Plays on until the cooldown is over and everything is at rest. */
+    /** Plays on until the cooldown is over and all bodies are at rest. */
     private static void waitFor(PuzzleGame game, int ready) {
         int latest = ready + PATIENCE;
         while (game.outcome() == Outcome.RUNNING && !isTime(game, ready, latest)) {

@@ -1,8 +1,8 @@
 package rigibo.frontend.puzzle.generate;
 
 /**
- * A point on the surface that the ball rolls along, in the frame of the plan: the ball goes to the
- * right.
+ * A point on the surface along which the ball rolls, in the plan's frame, in which the ball rolls
+ * to the right.
  *
  * @param x m
  * @param y m, up

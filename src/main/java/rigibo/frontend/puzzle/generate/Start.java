@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.generate;
 
-/** How a level holds its ball until clicks release it to the right. */
+/** The beginning of the path: holds the ball until clicks release it to the right. */
 interface Start {
 
     /**
@@ -8,7 +8,7 @@ interface Start {
      *
      * @param left its left edge, m
      * @param y height at which the ball comes out, m
-     * @return where the ball comes out
+     * @return the spot where the ball comes out
      */
     Spot build(Plan plan, Chance chance, double left, double y);
 }

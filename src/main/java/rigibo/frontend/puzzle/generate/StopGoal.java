@@ -1,6 +1,6 @@
 package rigibo.frontend.puzzle.generate;
 
-/** A platform open to the right, but for a box at its end, which must not be deleted. */
+/** A platform open to the right, with a box at its end that must not be deleted. */
 final class StopGoal implements Goal {
 
     private final double width;

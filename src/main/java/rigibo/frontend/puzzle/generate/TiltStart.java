@@ -1,11 +1,11 @@
 package rigibo.frontend.puzzle.generate;
 
-/** A board on two legs: it tips to the side whose leg is deleted, and the ball rolls down. */
+/** A board on two legs that tips to the side of the deleted leg, so that the ball rolls down. */
 final class TiltStart implements Start {
 
     private static final double THICKNESS = 0.16;
 
-    /** Distance of a leg's outer face from the end of the ledge, m: where the board comes down. */
+    /** Distance from a leg's outer face to the end of the ledge on which the board lands, m. */
     private static final double INSET = 0.25;
 
     @Override

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A column of high and low boxes in a shaft, with the ball on top: it comes out through a window
- * when the boxes deleted are as high, together, as the window is deep.
+ * A column of high and low boxes in a shaft, with the ball on top. The ball comes out through a
+ * window when the deleted boxes are together as high as the window is deep.
  */
 final class TowerStart implements Start {
 
@@ -23,7 +23,7 @@ final class TowerStart implements Start {
     /** Height of the wedge's right edge above the sill when the ball comes out, m. */
     private static final double STEP = 0.07;
 
-    /** Length of the sill from the shaft to where the ball is on its way, m. */
+    /** Length of the sill from the shaft on which the ball starts rolling, m. */
     private static final double SILL = 0.3;
 
     @Override
@@ -63,7 +63,7 @@ final class TowerStart implements Start {
         return heights.stream().mapToDouble(Double::doubleValue).sum();
     }
 
-    /** Stacks the boxes; the uppermost of each height needed are those to delete, from the top. */
+    /** Stacks the boxes; those to delete are the uppermost ones of each height needed. */
     private static void column(Plan plan, Spot foot, List<Double> heights, List<Double> needed) {
         double left = foot.x() + (SHAFT - BOX) / 2;
         double bottom = foot.y();

@@ -8,7 +8,7 @@ final class TrapStart implements Start {
     private static final double BRACKET = 0.3;
     private static final double BOARD = 0.15;
 
-    /** How far a board reaches over each bracket, m. */
+    /** Overlap of a board with each bracket, m. */
     private static final double OVERLAP = 0.2;
 
     /** Distance between two floors, m. */

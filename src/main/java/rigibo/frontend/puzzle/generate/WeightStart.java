@@ -5,8 +5,8 @@ import rigibo.frontend.puzzle.level.Substance;
 import java.util.List;
 
 /**
- * A heavy block on three feet with the ball on top: it tips when two feet on one side are gone, and
- * to which side they decide.
+ * A heavy block on three feet with the ball on top. It tips when two feet on one side are gone,
+ * towards that side.
  */
 final class WeightStart implements Start {
 

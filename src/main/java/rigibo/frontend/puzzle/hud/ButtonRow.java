@@ -12,7 +12,7 @@ import rigibo.frontend.scene.widget.Print;
 import java.util.List;
 import java.util.Optional;
 
-/** Buttons side by side; one of them is chosen, by the pointer or by keys. */
+/** Buttons side by side; one of them is selected, by pointer or keys. */
 final class ButtonRow {
 
     static final double HEIGHT = 36;
@@ -35,7 +35,7 @@ final class ButtonRow {
         this.commands = List.copyOf(commands);
     }
 
-    /** Returns these buttons at other places, with the same one chosen. */
+    /** Returns these buttons at other places, with the same selection. */
     ButtonRow at(Grid places) {
         ButtonRow moved = new ButtonRow(places, commands);
         moved.chosen = chosen;
@@ -55,14 +55,14 @@ final class ButtonRow {
         }
     }
 
-    /** Tells of the buttons. */
+    /** Describes the buttons to a screen reader. */
     void describe(Narrator narrator, Words words) {
         for (int i = 0; i < commands.size(); i++) {
             narrator.offers(grid.place(i).button(commands.get(i).shortWords(words), i == chosen));
         }
     }
 
-    /** As much of a button's words as fits, should the key in them have a long name. */
+    /** The words of a button, shortened if the name of its key is long. */
     private String label(Canvas canvas, Words words, int button) {
         Command command = commands.get(button);
         String all = canvas.layout().isInHand() ? command.shortWords(words) : command.words(words);
@@ -81,8 +81,8 @@ final class ButtonRow {
     }
 
     /**
-     * Selects the next button (+1) or the previous one (−1), from the last on to the first; the
-     * first if none was selected.
+     * Selects the next button (+1) or the previous one (−1); after the last comes the first, which
+     * is also selected if none was.
      */
     void move(int direction) {
         chosen = chosen == NONE ? 0 : Math.floorMod(chosen + direction, commands.size());
@@ -93,7 +93,7 @@ final class ButtonRow {
         chosen = 0;
     }
 
-    /** Selects no button, since something else was selected. */
+    /** Clears the selection, since something else was selected. */
     void letGo() {
         chosen = NONE;
     }

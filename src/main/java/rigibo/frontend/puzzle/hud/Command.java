@@ -23,12 +23,12 @@ public enum Command {
     COPY,
     /** Shows the whole picture again. */
     WHOLE,
-    /** Ends what is being shown. */
+    /** Ends a show. */
     STOP,
     NEXT,
     LEVELS,
     MENU,
-    /** Ends the trial of a level in the making. */
+    /** Ends the trial of a draft. */
     EDITOR;
 
     /** The label of its button. */
@@ -36,7 +36,7 @@ public enum Command {
         return words.of("puzzle.command." + key(this));
     }
 
-    /** The label of its button where there are no keys. */
+    /** The label of its button in windows without keys. */
     String shortWords(Words words) {
         return switch (this) {
             case SLOWER, COPY, SOLUTION, REPLAY -> words.of("puzzle.short." + key(this));
@@ -49,7 +49,7 @@ public enum Command {
         return words.of("puzzle.key." + key(this));
     }
 
-    /** The last part of the key under which its words are found. */
+    /** The last part of the key of its words. */
     static String key(Enum<?> constant) {
         return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

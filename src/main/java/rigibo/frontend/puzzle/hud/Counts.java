@@ -15,17 +15,17 @@ import rigibo.frontend.scene.widget.Print;
 import java.util.List;
 
 /**
- * Clicks and time in the bar, over the best medal that is still to be had; what all of it means is
- * told while the pointer is on it.
+ * Clicks and time in the bar, over the best medal still within reach; a plate explains them while
+ * the pointer is on them.
  */
 final class Counts {
 
     private static final double SIZE = 16;
 
-    /** From the middle of the bar to those of the two lines, px. */
+    /** Distance from the middle of the bar to those of the two lines, px. */
     private static final double ASIDE = 11;
 
-    /** The plate that tells what it means, px. */
+    /** Margins of the explaining plate, px. */
     private static final double EDGE = 8;
 
     private static final double WIDTH = 380;
@@ -59,7 +59,7 @@ final class Counts {
         return right - Math.max(wide, canvas.textWidth(medal, SIZE, Canvas.Font.WORDS));
     }
 
-    /** Clicks, of the most where they are limited, and time. */
+    /** The clicks, with their limit if there is one, and the time. */
     static String counts(Words words, Limits limits, PuzzleGame game) {
         return limits.maxClicks().isPresent()
                 ? words.of(
@@ -70,7 +70,7 @@ final class Counts {
                 : words.of("puzzle.counts", game.clicks(), game.seconds());
     }
 
-    /** Draws a plate below the bar that tells what medals, cooldown and hold are. */
+    /** Draws the plate that explains medals, cooldown and hold below the bar. */
     void drawHelp(Canvas canvas, Words words) {
         String told =
                 words.of(

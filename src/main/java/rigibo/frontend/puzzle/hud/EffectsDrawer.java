@@ -9,7 +9,7 @@ import rigibo.frontend.scene.effects.EffectsBar;
 import rigibo.frontend.scene.effects.SceneEffects;
 import rigibo.frontend.scene.trial.Trials;
 
-/** The effects bar of a level, above the play or beside it. While closed it measures nothing. */
+/** The effects bar of a level, above or beside the play. While closed it measures nothing. */
 final class EffectsDrawer {
 
     private static final double LEFT = 8;
@@ -17,7 +17,7 @@ final class EffectsDrawer {
     /** Upper edge of the open bar, px: below the bar with title and clicks. */
     private static final double TOP = View.BAR_FOOT + 6;
 
-    /** Below the open bar, px. */
+    /** Gap below the open bar, px. */
     private static final double GAP = 8;
 
     private final Trials trials = Trials.inBackground();
@@ -27,7 +27,7 @@ final class EffectsDrawer {
         bar = new EffectsBar(effects, new CostMeter(trials));
     }
 
-    /** Upper edge of the play while the bar is open above it, px. */
+    /** Upper edge of the play below the open bar, px. */
     static double foot(Layout layout) {
         return TOP + EffectsBar.height(layout) + GAP;
     }

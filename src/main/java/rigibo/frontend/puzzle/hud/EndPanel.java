@@ -20,13 +20,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** The panel at the end of a try: how it ended, what it earned, and what can be done next. */
+/** The panel at the end of a try: the outcome, the prizes, and the next commands. */
 final class EndPanel {
 
-    /** Over the play, px. */
+    /** Position over the play, px. */
     private static final Plate OVER = new Plate((Scene.WIDTH - 620) / 2.0, 0, 620, 0);
 
-    /** From the upper edge of the window to the plate beside the play, px. */
+    /** Distance from the upper edge of the window to the plate beside the play, px. */
     private static final double EDGE = 8;
 
     private static final double PADDING = 20;
@@ -34,27 +34,27 @@ final class EndPanel {
     private static final double HEADLINE = 42;
     private static final double HEADLINE_SIZE = 34;
 
-    /** From the upper edge to the middle of the first prize, px. */
+    /** Distance from the upper edge to the middle of the first prize, px. */
     private static final double PRIZES = 104;
 
-    /** From the upper edge to the middle of the reason's first line, px. */
+    /** Distance from the upper edge to the middle of the reason's first line, px. */
     private static final double REASON = 84;
 
     private static final double REASON_SIZE = 20;
     private static final double REASON_LINE = 26;
 
-    /** What is told in small text below, px. */
+    /** Size of the small text below and distance of its lines, px. */
     private static final double TOLD_SIZE = 17;
 
     private static final double TOLD_LINE = 22;
 
-    /** From the lower edge of what is above it to the middle of the first line, px. */
+    /** Distance from the lower edge of the part above to the middle of the first line, px. */
     private static final double TO_TOLD = 18;
 
-    /** From what is above them to the buttons, px. */
+    /** Distance from the part above to the buttons, px. */
     private static final double TO_BUTTONS = 10;
 
-    /** From the left edge of the plate beside the play to the middle of a prize, px. */
+    /** Distance from the left edge of the plate beside the play to the middle of a prize, px. */
     private static final double INDENT = 56;
 
     private final PuzzleGame game;
@@ -62,12 +62,12 @@ final class EndPanel {
     private final Optional<MedalStamps> stamps;
     private final Optional<StarStamp> star;
 
-    /** Heights of the play, and of balls and platform in it. */
+    /** Heights of the play, and of the balls and the platform in it. */
     private Span play = new Span(0, 0);
 
     private List<Span> kept = List.of();
 
-    /** As it was last drawn. */
+    /** Position in the last drawing. */
     private Plate plate = Plate.NONE;
 
     private Grid grid = Grid.of(Plate.NONE, 1, 0);
@@ -77,7 +77,7 @@ final class EndPanel {
      * The panel at the end of a game.
      *
      * @param exit the way out of the level
-     * @param star the level's, where it has one; shown only where the level is solved
+     * @param star the level's star, if it has one; shown only if the level is solved
      */
     EndPanel(PuzzleGame game, boolean hasNext, Command exit, Optional<StarStamp> star) {
         this.game = game;
@@ -91,23 +91,26 @@ final class EndPanel {
         buttons = new ButtonRow(grid, ways);
     }
 
-    /** Whether the time between clicks may have lost it, which a pause gives back. */
+    /** Whether the time between clicks may have lost the game; a pause would give it back. */
     private boolean isTimed() {
         return game.loss().isPresent() && game.level().limits().par() > 1;
     }
 
     /**
-     * Takes where the panel may be in a window without room beside the play.
+     * Sets the heights available to the panel in a window without room beside the play.
      *
-     * @param between heights from where the play begins to where the keys begin
-     * @param visible heights of what it is not to cover, if there is room for that
+     * @param between heights from the top of the play to the top of the keys
+     * @param visible heights that should stay uncovered if there is room
      */
     void place(Span between, List<Span> visible) {
         play = between;
         kept = visible;
     }
 
-    /** Puts the panel, whose buttons begin so far below its upper edge, where there is room. */
+    /**
+     * Places the panel where there is room; its buttons begin {@code toButtons} px below its upper
+     * edge.
+     */
     private void layOut(Layout layout, double toButtons) {
         Plate width = width(layout);
         double each = layout.clickable(ButtonRow.HEIGHT);
@@ -128,7 +131,7 @@ final class EndPanel {
         return isBeside(layout) ? EDGE : play.clearTop(height, kept);
     }
 
-    /** Whether the window has room for it in the left column; what opens stands in the other. */
+    /** Whether the window has room for it in the left column; drawers open in the other one. */
     private static boolean isBeside(Layout layout) {
         return layout.columns() == 2 && !layout.isInHand();
     }
@@ -160,7 +163,7 @@ final class EndPanel {
         return buttons;
     }
 
-    /** Whether a point lies on the panel as it was last drawn. */
+    /** Whether a point lies on the panel as drawn last. */
     boolean contains(double x, double y) {
         return plate.contains(x, y);
     }
@@ -194,17 +197,17 @@ final class EndPanel {
         return Paragraph.of(canvas, words, TOLD_SIZE, TOLD_LINE, room);
     }
 
-    /** What is told once the star is stamped, for which there is room from the start. */
+    /** The text that appears with the star; room for it is kept from the start. */
     private String toldLater(Words words) {
         return star.map(one -> one.told(words)).orElse("");
     }
 
-    /** Why it ended, if that earned nothing. */
+    /** The reason for the end, if no prize was earned. */
     private String reasons(Words words) {
         return stamps.isPresent() ? "" : words.of(reason());
     }
 
-    /** What is told in small text: what the star takes, or how to gain time. */
+    /** The small text: the star's condition, or a way to gain time. */
     private String told(Words words, Layout layout) {
         if (isTimed()) {
             return words.of(layout.isInHand() ? "puzzle.short.pause" : "puzzle.loss.pause");
@@ -216,7 +219,7 @@ final class EndPanel {
         return Medal.values().length + (star.isPresent() ? 1 : 0);
     }
 
-    /** Places of the medals, and of the star as one more after them, below an upper edge, px. */
+    /** Places of the medals and, after them, of the star, below an upper edge, px. */
     private PrizePlaces prizes(Layout layout, double top) {
         return isBeside(layout)
                 ? new PrizePlaces(plate.x() + INDENT, top + PRIZES, false)
@@ -239,7 +242,7 @@ final class EndPanel {
         return words.of(game.outcome() == Outcome.WON ? "puzzle.won" : "puzzle.lost");
     }
 
-    /** Says how it ended and what it earned, and tells of what can be done next. */
+    /** Describes the outcome, the prizes and the next commands to a screen reader. */
     void describe(Narrator narrator, Words words) {
         narrator.says(headline(words));
         narrator.says(stamps.map(it -> it.told(words)).orElseGet(() -> words.of(reason())));

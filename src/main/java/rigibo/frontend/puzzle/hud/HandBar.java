@@ -19,8 +19,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The bar of a level that is held in a hand: title, counts with the cooldown's ring, and below them
- * what the game has to say.
+ * The bar of a level in a handheld window: title, counts with the cooldown's ring, and below them
+ * messages of the game.
  */
 final class HandBar {
 
@@ -28,7 +28,10 @@ final class HandBar {
     private static final double TITLE_SIZE = 22;
     private static final double SIZE = 17;
 
-    /** From the right edge to the middle of the ring, and to the right end of the counts, px. */
+    /**
+     * Distances from the right edge to the middle of the ring and to the right end of the counts,
+     * px.
+     */
     private static final double RING = 32;
 
     private static final double COUNTS = 60;
@@ -42,7 +45,7 @@ final class HandBar {
     /**
      * Draws it.
      *
-     * @param said the state of the game, where there is anything to say
+     * @param said the state of the game, if it needs words
      */
     void draw(
             Canvas canvas,
@@ -91,7 +94,7 @@ final class HandBar {
         }
     }
 
-    /** A line in a colour. */
+    /** Words in a colour. */
     private record Line(String words, Color ink) {}
 
     private static void add(
@@ -100,7 +103,7 @@ final class HandBar {
                 .forEach(line -> lines.add(new Line(line, ink)));
     }
 
-    /** The best medal that is still to be had. */
+    /** The best medal still within reach. */
     private Optional<Line> medal(Words words, PuzzleGame game) {
         if (game.isExperiment()) {
             return Optional.empty();

@@ -6,18 +6,20 @@ import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Plate;
 
 /**
- * Where the panels round the play are in a window that is held in a hand, logical px: above and
- * below the scene where the window is upright, beside it where it lies.
+ * Positions of the panels in a handheld window, logical px: above and below the scene if the window
+ * is upright, beside it otherwise.
  *
  * @param bar title, counts and state of the game
- * @param keys the first of the buttons, and how the others follow
- * @param hint where the level's hint is, and how wide it is
+ * @param keys the grid of the buttons
+ * @param hint position and width of the level's hint
  */
 record HandPlaces(Plate bar, Grid keys, Plate hint) {
 
     private static final double GAP = 8;
 
-    /** A line of small text, px, and how many of them a bar has, upright and lying. */
+    /**
+     * Height of a line of small text, px, and the number of lines of a bar, upright and landscape.
+     */
     static final double LINE = 22;
 
     private static final int LINES = 3;
@@ -60,7 +62,7 @@ record HandPlaces(Plate bar, Grid keys, Plate hint) {
         return new HandPlaces(bar, keys(layout, row, LYING, buttons), hint);
     }
 
-    /** At the lower edge of what is seen. */
+    /** The grid of the keys, at the lower edge of the visible area. */
     private static Grid keys(Layout layout, Plate row, int columns, int buttons) {
         Grid anywhere = Grid.of(row, columns, GAP);
         double top = layout.seenBottom() - GAP - anywhere.height(buttons);

@@ -39,7 +39,7 @@ final class HintPlate {
     private final boolean hasSolution;
     private Plate place = Plate.NONE;
 
-    /** Where the button is that shows the solution. */
+    /** Position of the button that shows the solution. */
     private Plate button = Plate.NONE;
 
     private ButtonRow buttons;
@@ -81,7 +81,10 @@ final class HintPlate {
         draw(canvas, words, first + 6, lines, first);
     }
 
-    /** Draws it in a hand, with the button below the hint: its place has a width and no height. */
+    /**
+     * Draws it in a handheld window, with the button below the hint: its place has a width and no
+     * height.
+     */
     void drawInHand(Canvas canvas, Words words, Plate there) {
         double line = canvas.layout().lettered(LINE);
         double button = canvas.layout().clickable(ButtonRow.HEIGHT);
@@ -94,7 +97,7 @@ final class HintPlate {
         draw(canvas, words, first + 6, lines, first);
     }
 
-    /** Where the play begins below the plate as it was last drawn, or below its bar, px. */
+    /** Upper edge of the play below the plate as drawn last, or below its bar, px. */
     double foot(double bar) {
         return Math.max(bar, place.bottom());
     }
@@ -116,7 +119,7 @@ final class HintPlate {
         }
     }
 
-    /** Says the hint, and tells of its button. */
+    /** Describes the hint and its button to a screen reader. */
     void describe(Narrator narrator, Words words) {
         narrator.says(hint);
         if (hasSolution) {
@@ -124,7 +127,7 @@ final class HintPlate {
         }
     }
 
-    /** Whether a point lies on the plate as it was last drawn. */
+    /** Whether a point lies on the plate as drawn last. */
     boolean contains(double x, double y) {
         return place.contains(x, y);
     }

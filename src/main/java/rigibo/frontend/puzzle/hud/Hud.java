@@ -49,10 +49,10 @@ final class Hud {
     private final Counts counts;
     private final HandBar handBar;
 
-    /** Left edge of the counts as they were last drawn, px. */
+    /** Left edge of the counts as drawn last, px. */
     private double countsLeft = Scene.WIDTH;
 
-    /** Where the bar is in a hand. */
+    /** Position of the bar in a handheld window. */
     private Plate inHand = Plate.NONE;
 
     private boolean isAsked;
@@ -112,7 +112,7 @@ final class Hud {
         drawBetween(canvas, what, BUTTONS_LEFT + BUTTON_WIDTH + GAP, right);
     }
 
-    /** Draws the bar of a window in a hand, whatever goes on. */
+    /** Draws the bar of a handheld window, in any state. */
     void drawInHand(
             Canvas canvas,
             Plate bar,
@@ -156,7 +156,9 @@ final class Hud {
         return left;
     }
 
-    /** Draws what counts and ring mean while the pointer is on them, over all that is below. */
+    /**
+     * Draws the explanation of counts and ring over everything below, while the pointer is on them.
+     */
     void drawHelp(Canvas canvas, Words words) {
         if (isAsked) {
             counts.drawHelp(canvas, words);
@@ -169,17 +171,17 @@ final class Hud {
         isAsked = inHand == Plate.NONE ? isOnCounts : inHand.contains(x, y);
     }
 
-    /** Whether a point lies on the bar of a window in a hand. */
+    /** Whether a point lies on the bar of a handheld window. */
     boolean contains(double x, double y) {
         return inHand.contains(x, y);
     }
 
-    /** The state of the game; of several messages only the most urgent one. */
+    /** The state of the game; of several messages the most urgent one. */
     private Optional<String> state(Words words, Session session, Refusal refusal) {
         return refused(words, refusal).or(() -> late(words)).or(() -> calm(words, session));
     }
 
-    /** What is neither a refusal nor about the machine. */
+    /** A message that is neither a refusal nor about the machine. */
     private Optional<String> calm(Words words, Session session) {
         return lesson.words(session.game()).or(() -> keyOfState(session)).map(words::of);
     }
@@ -192,7 +194,10 @@ final class Hud {
         return words.of("puzzle.show." + key(session.hand()));
     }
 
-    /** Says the state of the game, or what is shown; how late the machine is changes too often. */
+    /**
+     * Describes the state of the game, or the show, to a screen reader. Delays of the machine
+     * change too often.
+     */
     void describe(Narrator narrator, Words words, Session session, Refusal refusal) {
         if (session.isShowing()) {
             narrator.says(shown(words, session));
@@ -219,7 +224,7 @@ final class Hud {
                 : Optional.empty();
     }
 
-    /** The level's verb if it has one alone. */
+    /** The level's verb, if it has a single one. */
     private static String task(Level level) {
         Set<Verb> verbs =
                 level.clickables().stream().map(Clickable::verb).collect(Collectors.toSet());

@@ -24,7 +24,7 @@ final class KeyStrip {
     private static final double PADDING = 7;
     private static final double BETWEEN = 5;
 
-    /** Distance between two commands by which they are told apart, px. */
+    /** Least distance between two commands that keeps them distinguishable, px. */
     private static final double LEAST_GAP = 3;
 
     /** Positions of the buttons in the last frame; their widths depend on their words. */
@@ -39,7 +39,10 @@ final class KeyStrip {
     /** A button on the screen, px. */
     private record Place(Command command, Plate plate) {}
 
-    /** Whether a point is on a button; what is below the last row is on that, to be hit blindly. */
+    /**
+     * Whether a point is on a button. The area below the last row counts for that row, so that it
+     * is hit without looking.
+     */
     private boolean isOn(Place place, double x, double y) {
         return place.plate.contains(x, Math.min(y, foot));
     }
@@ -66,7 +69,7 @@ final class KeyStrip {
         }
     }
 
-    /** Tells of the commands that were last drawn, without their keys. */
+    /** Describes the commands drawn last to a screen reader, without their keys. */
     void describe(Narrator narrator, Words words) {
         for (Place place : places) {
             narrator.offers(place.plate.button(place.command.shortWords(words), false));
@@ -74,8 +77,8 @@ final class KeyStrip {
     }
 
     /**
-     * Draws commands at equal distances; one that is switched on is lit. Where there is no room for
-     * all words, the first commands, which a player knows longest, show their keys alone.
+     * Draws commands at equal distances; an active one is lit. If there is no room for all words,
+     * the first commands, which players know longest, show their keys alone.
      */
     void draw(Canvas canvas, Words words, List<Command> commands, List<Command> lit) {
         int bare = 0;
@@ -123,7 +126,7 @@ final class KeyStrip {
         }
     }
 
-    /** Draws what is below the words of a button; returns the colour that they have on it. */
+    /** Draws the background of a button; returns the colour of the words on it. */
     private Color drawPlate(Canvas canvas, Place place, boolean isLit, double corner) {
         boolean isHot = isOn(place, pointerX, pointerY);
         Plate at = place.plate;

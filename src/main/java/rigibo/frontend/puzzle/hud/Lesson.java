@@ -21,13 +21,13 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * What the first level with a verb teaches, until it was solved: a hand shows the first click, be
- * there known verbs beside it or not. The first level of all also says, as they happen, what the
- * cooldown, the counted clicks and the hold are.
+ * The lesson of the first level with a new verb, until it was solved: a hand shows the first click,
+ * beside known verbs or not. The game's first level also explains the cooldown, the counted clicks
+ * and the hold when they first occur.
  */
 public final class Lesson {
 
-    /** A round of the hand: it comes to its target, presses, stays and is away for a while. */
+    /** A cycle of the hand: it comes to its target, presses, stays, and is away for a while. */
     private static final int ROUND = Steps.of(3);
 
     private static final int COMES = Steps.of(0.6);
@@ -35,7 +35,7 @@ public final class Lesson {
     private static final int LIFTS = Steps.of(1.8);
     private static final int RIPPLES = Steps.of(2.2);
 
-    /** Where the hand comes from, as seen from its target, px. */
+    /** Starting point of the hand, relative to its target, px. */
     private static final double FROM_X = 90;
 
     private static final double FROM_Y = 120;
@@ -67,7 +67,7 @@ public final class Lesson {
         return new Lesson(first.filter(it -> teaches), !isSolved && number == 0);
     }
 
-    /** Nothing to teach. */
+    /** A level without a lesson. */
     public static Lesson none() {
         return new Lesson(Optional.empty(), false);
     }
@@ -95,7 +95,7 @@ public final class Lesson {
         return game.clicks() > 0 ? Optional.of("puzzle.lesson.par") : Optional.empty();
     }
 
-    /** Draws the hand while nothing was clicked yet. */
+    /** Draws the hand until the first click. */
     public void draw(Canvas canvas, Session session, Camera camera, Motion motion) {
         PuzzleGame game = session.game();
         boolean isAsked =
@@ -118,7 +118,7 @@ public final class Lesson {
             return;
         }
         double away = away(turn);
-        // Where there is no room below, the hand comes from above.
+        // Without room below, the hand comes from above.
         double fromY = y + FROM_Y > View.KEYS_TOP ? -FROM_Y : FROM_Y;
         double fromX = x + FROM_X > Scene.WIDTH ? -FROM_X : FROM_X;
         if (turn >= ARRIVES && turn < RIPPLES) {
@@ -129,7 +129,7 @@ public final class Lesson {
         drawHand(canvas, x + away * fromX, y + away * fromY, isPressing ? 0.9 : 1);
     }
 
-    /** How far the hand is from its target, from 1 to 0; it slows down as it arrives. */
+    /** Distance of the hand from its target, from 1 to 0; it slows down as it arrives. */
     private static double away(int turn) {
         double left = Math.max(0, (ARRIVES - turn) / (double) (ARRIVES - COMES));
         return left * left;

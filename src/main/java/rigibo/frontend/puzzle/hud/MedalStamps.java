@@ -10,8 +10,8 @@ import rigibo.frontend.scene.Words;
 import java.util.stream.Stream;
 
 /**
- * The medals of a solved level, stamped one by one from bronze up to the one that was earned.
- * Besides its colour each has a number and a shape of its own.
+ * The medals of a solved level, stamped one by one from bronze up to the one that was earned. Each
+ * has a colour, a number and a shape.
  */
 final class MedalStamps {
 
@@ -26,7 +26,7 @@ final class MedalStamps {
     private static final String LONG = "puzzle.medal.";
     private static final String SHORT = "puzzle.short.";
 
-    /** Factor by which a stamp is larger when it begins to fall. */
+    /** Factor of size at which a stamp begins to fall. */
     private static final double HEIGHT = 1.5;
 
     private final Medal earned;
@@ -38,7 +38,7 @@ final class MedalStamps {
         this.par = par;
     }
 
-    /** What was earned. */
+    /** The medal that was earned, in words. */
     String told(Words words) {
         return told(words, LONG, earned);
     }
@@ -78,7 +78,7 @@ final class MedalStamps {
     }
 
     /**
-     * Factor by which a stamp is larger than where it lies.
+     * Size of a stamp relative to its final one.
      *
      * @param age turns since it began to fall
      */

@@ -13,13 +13,13 @@ final class Offers {
     private final Session session;
     private final List<Command> exits;
 
-    /** For a session that can be left by these commands. */
+    /** The commands of a session that can be left by {@code exits}. */
     Offers(Session session, List<Command> exits) {
         this.session = session;
         this.exits = exits;
     }
 
-    /** In their order on a desk, with those that are offered at times. */
+    /** The commands of a desktop window in their order, with those available at present. */
     List<Command> onADesk(Set<Command> atTimes) {
         if (session.isShowing()) {
             return List.of(Command.PAUSE, Command.SLOWER, Command.STOP);
@@ -37,7 +37,7 @@ final class Offers {
         return commands;
     }
 
-    /** In a hand all ways out are among them, since fingers have no Esc key. */
+    /** The commands of a handheld window. They hold all ways out, since fingers have no Esc key. */
     List<Command> inAHand(Set<Command> atTimes) {
         if (session.isShowing()) {
             return List.of(Command.PAUSE, Command.SLOWER, Command.STOP);
@@ -55,7 +55,7 @@ final class Offers {
         return commands;
     }
 
-    /** Those that are in effect now, such as a drawer that is open. */
+    /** The commands in effect now, such as an open drawer. */
     List<Command> lit(Panels.Drawer open) {
         List<Command> lit = new ArrayList<>();
         if (session.isPaused()) {

@@ -21,13 +21,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/**
- * The panels around the play: the bar, the keys, those that open in between, and the one at the
- * end.
- */
+/** All panels around the play: the bar, the keys, the drawers, and the panel at the end. */
 public final class Panels {
 
-    /** Commands that a window in a hand has at most. */
+    /** Greatest number of commands in a handheld window. */
     private static final int MOST_IN_HAND = 8;
 
     private final Session session;
@@ -48,7 +45,7 @@ public final class Panels {
 
     private Optional<EndPanel> end = Optional.empty();
 
-    /** The panels of which one may be open, between the bar and the play or beside it. */
+    /** Panels of which one may be open, between the bar and the play or beside it. */
     public enum Drawer {
         NONE,
         EFFECTS,
@@ -87,7 +84,7 @@ public final class Panels {
         end.ifPresent(this::place);
     }
 
-    /** Upper edge of the play, px: what opens beside it takes nothing from it. */
+    /** Upper edge of the play, px; a drawer that opens beside the play takes nothing from it. */
     private double foot() {
         if (layout.isInHand() && layout.isUpright() && open == Drawer.HINT) {
             return hint.foot(View.BAR_FOOT);
@@ -102,12 +99,15 @@ public final class Panels {
         };
     }
 
-    /** Whether the window has room for what opens beside the play. */
+    /** Whether the window has room for drawers beside the play. */
     private boolean isBeside() {
         return layout.columns() == 2 || layout.isInHand();
     }
 
-    /** Takes what the window shows, before the play is drawn: that may be larger beside panels. */
+    /**
+     * Sets the layout of the window before the play is drawn, since the play may be larger beside
+     * panels.
+     */
     public void layOut(Layout shown) {
         double before = foot();
         boolean isTurned = shown.isInHand() != layout.isInHand();
@@ -126,7 +126,7 @@ public final class Panels {
         }
     }
 
-    /** Heights of the balls that are on the screen, and of the platform. */
+    /** Heights of the balls on the screen, and of the platform. */
     private List<Span> visible() {
         PuzzleGame game = session.game();
         return Stream.concat(game.balls().stream(), Stream.of(game.platform()))
@@ -144,7 +144,7 @@ public final class Panels {
         return open == drawer;
     }
 
-    /** Shows how a game ended, as long as that game is on the screen. */
+    /** Shows the outcome of a game, as long as that game is on the screen. */
     public void end(PuzzleGame game, boolean hasNext, boolean hasStar) {
         Optional<StarStamp> star =
                 game.level()
@@ -154,9 +154,7 @@ public final class Panels {
         end.ifPresent(this::place);
     }
 
-    /**
-     * Takes the share of real time at which the world runs; the bar shows when it cannot keep up.
-     */
+    /** Sets the share of real time at which the world runs; the bar reports a late one. */
     public void paced(double share) {
         hud.paced(share);
     }
@@ -170,7 +168,7 @@ public final class Panels {
         return end.filter(panel -> panel.isOf(session.game()));
     }
 
-    /** The buttons among which keys now select, if there are any. */
+    /** The buttons that keys select at present, if any. */
     private Optional<ButtonRow> buttons() {
         if (layout.isInHand()) {
             return end().map(EndPanel::buttons);
@@ -181,7 +179,7 @@ public final class Panels {
         return session.isPaused() ? Optional.of(pause) : end().map(EndPanel::buttons);
     }
 
-    /** Whether there are buttons that keys select. */
+    /** Whether keys select buttons at present. */
     public boolean hasButtons() {
         return buttons().isPresent();
     }
@@ -191,12 +189,12 @@ public final class Panels {
         buttons().ifPresent(ButtonRow::begin);
     }
 
-    /** Selects the next button (+1) or the one before (−1), if there are any. */
+    /** Selects the next button (+1) or the previous one (−1), if there are any. */
     public void move(int by) {
         buttons().ifPresent(row -> row.move(by));
     }
 
-    /** Selects no button. */
+    /** Clears the selection. */
     public void letGo() {
         buttons().ifPresent(ButtonRow::letGo);
     }
@@ -207,9 +205,9 @@ public final class Panels {
     }
 
     /**
-     * Draws all of them.
+     * Draws all panels.
      *
-     * @param offered commands that are not there in every frame, in their order
+     * @param offered commands that are available at present only, in their order
      */
     public void draw(Canvas canvas, Refusal refusal, Set<Command> offered, Motion motion) {
         whole.hide();
@@ -248,7 +246,7 @@ public final class Panels {
         hud.drawHelp(canvas, words);
     }
 
-    /** Tells of all buttons, and of what happens in the game. */
+    /** Describes all buttons and the events of the game to a screen reader. */
     public void describe(Narrator narrator, Refusal refusal) {
         if (end().isEmpty()) {
             buttons().ifPresent(row -> row.describe(narrator, words));
@@ -292,13 +290,13 @@ public final class Panels {
         return command.or(() -> keys.at(x, y)).or(() -> whole(x, y));
     }
 
-    /** The end of a try lies over the play, and so over what is in its corner. */
+    /** The panel at the end of a try covers the corner of the play. */
     private Optional<Command> whole(double x, double y) {
         boolean isThere = whole.contains(x, y) && !end().filter(p -> p.contains(x, y)).isPresent();
         return isThere ? Optional.of(Command.WHOLE) : Optional.empty();
     }
 
-    /** Whether a point lies on a panel, so that a click there does not go to the play. */
+    /** Whether a point lies on a panel, so that a click there does not reach the play. */
     public boolean cover(double x, double y) {
         if (layout.isInHand()) {
             return hud.contains(x, y)

@@ -8,9 +8,9 @@ import rigibo.frontend.scene.widget.Print;
 import java.util.List;
 
 /**
- * A text in as many lines as a width asks for, each of them centred.
+ * A text broken into centred lines.
  *
- * @param lines none of an empty text
+ * @param lines none for an empty text
  * @param size of the text, px
  * @param pitch from line to line, px
  */
@@ -19,7 +19,7 @@ record Paragraph(List<String> lines, double size, double pitch) {
     /**
      * Breaks a text.
      *
-     * @param pitch from line to line on a desk, px
+     * @param pitch from line to line in a desktop window, px
      * @param width of a line, px
      */
     static Paragraph of(Canvas canvas, String text, double size, double pitch, double width) {
@@ -28,7 +28,7 @@ record Paragraph(List<String> lines, double size, double pitch) {
         return new Paragraph(lines, size, canvas.layout().lettered(pitch));
     }
 
-    /** Where it ends if the middle of its first line is at a height, px. */
+    /** Lower edge, with the middle of its first line at a height, px. */
     double bottom(double first) {
         return first + (lines.size() - 0.5) * pitch;
     }

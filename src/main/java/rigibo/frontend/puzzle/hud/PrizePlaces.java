@@ -4,8 +4,8 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
 /**
- * Where the prizes of a solved level lie, and their words: side by side with the words below, or
- * one below the other with the words beside.
+ * Positions of the prizes of a solved level and of their words: side by side with the words below,
+ * or one below the other with the words beside.
  *
  * @param x middle of the first, px
  * @param y middle of the first, px
@@ -13,12 +13,15 @@ import rigibo.frontend.scene.Color;
  */
 record PrizePlaces(double x, double y, boolean isAcross) {
 
-    /** Between the middles of two, side by side and one below the other, px. */
+    /** Distance between the middles of two, side by side and one below the other, px. */
     private static final double COLUMN = 148;
 
     private static final double ROW = 66;
 
-    /** From the middle of a prize to that of its words below, or to where they begin beside. */
+    /**
+     * Distance from the middle of a prize to that of its words below, or to the start of those
+     * beside.
+     */
     private static final double BELOW = 46;
 
     private static final double BESIDE = 48;
@@ -28,12 +31,12 @@ record PrizePlaces(double x, double y, boolean isAcross) {
 
     private static final double SIZE = 16;
 
-    /** From the middle of words, or of a prize, to what comes next, px. */
+    /** Distance from the middle of words, or of a prize, to the next part, px. */
     private static final double AFTER_WORDS = 12;
 
     private static final double AFTER_PRIZE = 32;
 
-    /** So many side by side about a middle, px. */
+    /** {@code count} prizes side by side about a middle, px. */
     static PrizePlaces across(double middle, double y, int count) {
         return new PrizePlaces(middle - (count - 1) / 2.0 * COLUMN, y, true);
     }
@@ -46,12 +49,12 @@ record PrizePlaces(double x, double y, boolean isAcross) {
         return isAcross ? y : y + number * ROW;
     }
 
-    /** Lower edge of so many, px. */
+    /** Lower edge of {@code count} prizes, px. */
     double bottom(int count) {
         return y(count - 1) + (isAcross ? BELOW + AFTER_WORDS : AFTER_PRIZE);
     }
 
-    /** Whether words do not touch those of the next one. */
+    /** Whether words do not touch those of the next prize. */
     boolean hasRoomFor(Canvas canvas, String words) {
         double width = canvas.textWidth(words, SIZE, Canvas.Font.WORDS);
         return !canvas.layout().isInHand() && (!isAcross || width <= COLUMN - APART);

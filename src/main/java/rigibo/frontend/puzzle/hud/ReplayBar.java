@@ -46,7 +46,7 @@ public final class ReplayBar {
         this.recording = recording;
     }
 
-    /** Draws the bar; {@code state} says how the replay is being watched. */
+    /** Draws the bar; {@code state} describes the playback. */
     public void draw(Canvas canvas, Words words, PuzzleGame game, String state) {
         canvas.panel(EDGE, EDGE, INNER, HEIGHT, 14, Color.PANEL);
         String title = recording.level().title().in(words.locale());
@@ -65,8 +65,8 @@ public final class ReplayBar {
     }
 
     /**
-     * Draws the same, one below the other, at the upper edge of a room in a hand, px; returns where
-     * it ends.
+     * Draws the parts one below the other at the upper edge of a handheld window, px; returns their
+     * lower edge.
      */
     public double drawInHand(
             Canvas canvas, Plate room, Words words, PuzzleGame game, String state) {
@@ -106,7 +106,9 @@ public final class ReplayBar {
         }
     }
 
-    /** Draws the keys below the play, and over its foot where one line does not hold them. */
+    /**
+     * Draws the keys below the play, and over its lower edge where they need more than one line.
+     */
     public void drawKeys(Canvas canvas, Words words) {
         List<String> lines =
                 Lines.ofGroups(canvas, words.of("replay.keys"), KEYS_SIZE, Scene.WIDTH - 2 * EDGE);
@@ -121,7 +123,7 @@ public final class ReplayBar {
         }
     }
 
-    /** Draws whether the replay ran as recorded, below where the bar ends, px. */
+    /** Draws the verdict of the replay below a bar that ends at a height, px. */
     public void drawVerdict(Canvas canvas, Words words, Verdict verdict, double end) {
         VerdictPlate.draw(canvas, words, verdict, end);
     }

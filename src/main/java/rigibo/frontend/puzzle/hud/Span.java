@@ -8,17 +8,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Heights on the screen.
+ * A range of heights on the screen.
  *
  * @param top px
  * @param bottom px, below it
  */
 record Span(double top, double bottom) {
 
-    /** Distance that is kept from the edges of the room and from what stays visible, px. */
+    /** Distance from the edges of the room and from visible parts, px. */
     static final double GAP = 12;
 
-    /** Those of a body. */
+    /** The heights of a body. */
     static Span of(RigidBody body, Camera camera) {
         Aabb bounds = new Aabb();
         double angle = body.angle();
@@ -26,14 +26,14 @@ record Span(double top, double bottom) {
         return new Span(camera.screenY(bounds.maxY), camera.screenY(bounds.minY));
     }
 
-    /** How much of another it covers, px. */
+    /** Length of another range that it covers, px. */
     private double covers(Span other) {
         return Math.max(0, Math.min(bottom, other.bottom) - Math.max(top, other.top));
     }
 
     /**
-     * The upper edge, within these heights, of something of a height that covers as little as can
-     * be of what should stay visible; the highest of several.
+     * The upper edge, within these heights, of a part of some height that covers the least of the
+     * ranges to keep visible; the highest of several.
      */
     double clearTop(double height, List<Span> kept) {
         double highest = top + GAP;

@@ -10,8 +10,8 @@ import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 
 /**
- * The secret star at the end of a level: stamped after the medals by the game that earned it, there
- * at once if it was found before, and otherwise a question.
+ * The secret star at the end of a level: stamped after the medals by the game that earned it, shown
+ * at once if it was found before, and otherwise a question mark.
  */
 final class StarStamp {
 
@@ -26,8 +26,8 @@ final class StarStamp {
     /**
      * The star of a game's level.
      *
-     * @param text states what earns it
-     * @param isFound whether the player has it, from this game or one before
+     * @param text states the star's condition
+     * @param isFound whether the player has it, from this game or an earlier one
      */
     StarStamp(String text, PuzzleGame game, boolean isFound) {
         this.text = text;
@@ -44,7 +44,7 @@ final class StarStamp {
         return isEarnedNow ? turns >= DUE : isFound;
     }
 
-    /** What it took if it is found, seen yet or not. */
+    /** The star's condition if it is found, stamped yet or not. */
     String told(Words words) {
         return isEarnedNow || isFound ? text : words.of("puzzle.star.hidden");
     }
@@ -68,7 +68,7 @@ final class StarStamp {
         places.drawWords(canvas, name, place, ink);
     }
 
-    /** What it takes, as far as the player may know. */
+    /** The star's condition, as far as the player may know it. */
     String statement(Words words) {
         return isSeen() ? text : words.of("puzzle.star.hidden");
     }

@@ -27,9 +27,9 @@ final class VerdictPlate {
     private VerdictPlate() {}
 
     /**
-     * Draws it at the upper end of the play, or beside it where the window has room.
+     * Draws it at the upper end of the play, or beside it if the window has room.
      *
-     * @param foot where the play begins, px
+     * @param foot upper edge of the play, px
      */
     static void draw(Canvas canvas, Words words, Verdict verdict, double foot) {
         Layout layout = canvas.layout();

@@ -15,26 +15,28 @@ import java.util.Set;
  */
 final class ApartRules {
 
-    /** Overlap that counts as touching, m: what a rounded coordinate in a file may cost. */
+    /**
+     * Overlap that counts as touching, m: the error that rounding a coordinate in a file may cause.
+     */
     static final double TOUCHING = 1e-3;
 
     private static final double MILLIMETRES = 1000;
 
     private final Document json;
 
-    /** Who are joined never meet. */
+    /** Pairs of joined bodies, which never collide. */
     private final Set<String> joined;
 
-    /** Those that the sweep has reached and not passed yet. */
+    /** Bodies that the sweep has reached and not passed yet. */
     private final List<Placed> present = new ArrayList<>();
 
     /**
-     * A body where it is at the start.
+     * A body at its start.
      *
      * @param order in which problems name two of them
-     * @param pointer of it in the file
-     * @param end what joints call it
-     * @param print what it covers
+     * @param pointer of the body in the file
+     * @param end name of the body in joints
+     * @param print area that it covers
      */
     private record Placed(int order, String pointer, String end, Footprint print) {
 
@@ -92,8 +94,8 @@ final class ApartRules {
     private void requireApart(Placed first, Placed second) {
         Footprint a = first.print();
         Footprint b = second.print();
-        // Walls may be built of parts that overlap, and lifts start within them; whatever starts
-        // within a shelf passes it.
+        // Walls may be built of overlapping parts, lifts may start within them, and a body that
+        // starts within a shelf passes it.
         boolean mayOverlap = a.isUnmoved() && b.isUnmoved() || a.isOneWay() || b.isOneWay();
         boolean areJoined = joined.contains(first.end() + " " + second.end());
         if (mayOverlap || areJoined || !a.bounds().overlaps(b.bounds())) {
@@ -113,7 +115,7 @@ final class ApartRules {
     }
 
     private static String quoted(String name) {
-        // An id has no blank, and every other name has one.
+        // An id has no blank; every other name has one.
         return name.contains(" ") ? name : "\"" + name + "\"";
     }
 }

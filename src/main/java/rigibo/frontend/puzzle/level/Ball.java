@@ -10,21 +10,21 @@ import rigibo.backend.setup.BodyDefinition;
  * @param x of its centre, m
  * @param y of its centre, m, up
  * @param radius m
- * @param substance what it is made of
+ * @param substance of the ball
  * @param motion at the start
  */
 public record Ball(
         String name, double x, double y, double radius, Substance substance, Motion motion) {
 
-    /** The name of a level's first ball, and mostly its only one. */
+    /** Name of a level's first ball, usually the only one. */
     public static final String FIRST = "the ball";
 
-    /** What the further ones are called, from 2; an id has no blank. */
+    /** Names of further balls, from 2; an id has no blank. */
     static String named(int number) {
         return "ball " + number;
     }
 
-    /** What the engine is told. */
+    /** The engine's definition. */
     public BodyDefinition definition() {
         return BodyDefinition.dynamic(new Circle(radius))
                 .at(x, y)

@@ -27,8 +27,8 @@ import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 
 /**
- * E140: an effect is declared that nothing uses, or used but not declared. A value that a substance
- * brings along counts as a use of a declared effect. But only a number that the file itself states
+ * E140: an effect is declared but not used, or used but not declared. A value that comes from a
+ * substance counts as a use of a declared effect. But only a number that the file itself states
  * requires an effect, since a level of balls without rolling resistance is a valid choice.
  */
 final class EffectRules {
@@ -105,7 +105,7 @@ final class EffectRules {
         }
     }
 
-    /** Also of an effect that could not be made, for want of its numbers. */
+    /** Whether the file names an effect, which may lack its numbers and so not exist. */
     private boolean names(String title) {
         for (JsonNode named : sketch.json().node(POINTER)) {
             if (named.asString().equals(title)) {

@@ -1,10 +1,10 @@
 package rigibo.frontend.puzzle.level;
 
-/** What a game that solves its level has to show to earn the level's star. */
+/** The condition, besides solving the level, that earns the level's star. */
 public sealed interface Feat {
 
     /**
-     * The level is solved with exactly so many clicks.
+     * The level is solved with an exact number of clicks.
      *
      * @param count par or more
      */
@@ -24,27 +24,27 @@ public sealed interface Feat {
      */
     record AvoidBody(String body) implements Feat {}
 
-    /** No ball ever touches anything of a material; the platform is of none. */
+    /** No ball ever touches a body of a material; the platform has none. */
     record AvoidMaterial(Substance material) implements Feat {}
 
     /**
-     * A ball touches a body, however shortly.
+     * A ball touches a body, however briefly.
      *
      * @param body its id
      */
     record Touch(String body) implements Feat {}
 
     /**
-     * A body is still in the world in the end.
+     * A body is still in the world at the end.
      *
      * @param body its id
      */
     record Keep(String body) implements Feat {}
 
-    /** Nothing is left in the end that a click could delete. */
+    /** No body that a click could delete is left at the end. */
     record Clear() implements Feat {}
 
-    /** Nothing has fallen out of the world by the end. */
+    /** No body has fallen out of the world by the end. */
     record Inside() implements Feat {}
 
     /**

@@ -10,10 +10,10 @@ import rigibo.backend.setup.BodyType;
 /**
  * The area of the world that a placed body covers.
  *
- * @param body what is placed
+ * @param body the body's definition
  * @param corners of each part's core in the world, x₀, y₀, x₁, …, m, counter-clockwise; of a disc
  *     its centre alone
- * @param bounds that it fills, m
+ * @param bounds of the area, m
  */
 record Footprint(BodyDefinition body, double[][] corners, Aabb bounds) {
 
@@ -41,12 +41,12 @@ record Footprint(BodyDefinition body, double[][] corners, Aabb bounds) {
         return xy;
     }
 
-    /** How far a part's outline goes round its core, m. */
+    /** Radius of a part's outline about its core, m. */
     double radius(int part) {
         return body.shape().outline(part).radius();
     }
 
-    /** Nothing but its path, if it has one, ever moves it. */
+    /** Whether the body never moves, except along its path if it has one. */
     boolean isUnmoved() {
         return body.type() != BodyType.DYNAMIC;
     }

@@ -8,15 +8,15 @@ import tools.jackson.databind.JsonNode;
 import java.util.Optional;
 
 /**
- * What a click does to a body or joint.
+ * The action of a click on a body or joint.
  *
- * @param verb empty if it stays as it is
- * @param isOn whether what a click switches is on at the start
+ * @param verb empty if nothing happens
+ * @param isOn whether the switched device is on at the start
  * @param charge the blast of a bomb
  */
 public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charge) {
 
-    /** A click changes nothing. */
+    /** Nothing happens at a click. */
     static final Handling NONE = new Handling(Optional.empty(), true, Optional.empty());
 
     /**
@@ -24,7 +24,7 @@ public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charg
      *
      * @param radius distance up to which it has its full strength, m
      * @param falloff further distance over which it weakens to nothing, m
-     * @param impulse for each metre of width of what it meets, N·s/m
+     * @param impulse for each metre of width of a body that it meets, N·s/m
      */
     public record Charge(double radius, double falloff, double impulse) {}
 
@@ -46,7 +46,7 @@ public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charg
         return new Handling(verb, node.path("on").asBoolean(true), charge);
     }
 
-    /** Whether a click switches it, and it is off at the start. */
+    /** Whether a click switches it and it is off at the start. */
     public boolean beginsOff() {
         return does(Verb.SWITCH) && !isOn;
     }
@@ -57,8 +57,8 @@ public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charg
     }
 
     /**
-     * E124: what a click does to a body does not fit it; E126: members that only a switch or a bomb
-     * has, or a bomb without its blast; E127: a fan or magnet that moves.
+     * E124: a click's action does not fit the body; E126: members that only a switch or a bomb has,
+     * or a bomb without its blast; E127: a fan or magnet that moves.
      */
     static void check(Document json, Located<LevelBody> at) {
         LevelBody body = at.part();
@@ -98,7 +98,7 @@ public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charg
         switching(json, pointer, body.does(Verb.SWITCH));
     }
 
-    /** E126: only what a click switches can begin on or off. */
+    /** E126: only a device that a click switches can be on or off at the start. */
     static void switching(Document json, String pointer, boolean isSwitch) {
         if (json.node(pointer).has("on") && !isSwitch) {
             tell(json, pointer + "/on", "E126.on", "E126 \"on\" belongs to what a click switches");

@@ -18,8 +18,8 @@ final class IdRules {
     private final Document json;
 
     /**
-     * The pointer at which each id is stated first. Also of bodies and joints with errors
-     * elsewhere, or each reference to them would be one more error.
+     * The pointer at which each id is stated first. Bodies and joints with other errors are
+     * included; otherwise each reference to them would be one more error.
      */
     private final Map<String, String> ids = new HashMap<>();
 
@@ -61,7 +61,7 @@ final class IdRules {
     }
 
     /**
-     * Checks what a click or a star names.
+     * Checks the reference of a click or a star.
      *
      * @param at its pointer
      */

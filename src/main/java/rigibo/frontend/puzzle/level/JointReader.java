@@ -15,7 +15,7 @@ import java.util.Optional;
 /** Turns a joint that the schema accepts into a record; degrees become radians. */
 final class JointReader {
 
-    /** A strut stands upright, a slide lies, where the file does not say. */
+    /** Default axes: a strut is upright, a slide is level. */
     private static final double UPRIGHT = 90;
 
     private JointReader() {}

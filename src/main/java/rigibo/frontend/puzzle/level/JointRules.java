@@ -22,12 +22,12 @@ import java.util.Set;
  */
 final class JointRules {
 
-    /** What a rounded coordinate may cost a rope, m. */
+    /** Error that a rounded coordinate may cause in the length of a rope, m. */
     private static final double ROUNDED = 1e-3;
 
     private final LevelSketch sketch;
 
-    /** What can be joined, and whether forces move it. */
+    /** The bodies that joints can name, and whether forces move them. */
     private final Map<String, Boolean> ends = new LinkedHashMap<>();
 
     private JointRules(LevelSketch sketch) {
@@ -78,7 +78,10 @@ final class JointRules {
         click(at);
     }
 
-    /** Ropes are cut, pins are pulled; solutions and replays refer to them by their ids. */
+    /**
+     * E124 and E125: a rope can be cut and a hinge pulled; solutions and replays name a joint by
+     * its id.
+     */
     private void click(Located<LevelJoint> at) {
         Optional<Verb> verb = at.part().verb();
         boolean isSwitch = at.part().handling().does(Verb.SWITCH);
@@ -111,7 +114,7 @@ final class JointRules {
         return isKnown;
     }
 
-    /** Hinges, slides and wheels begin at 0, distances at what they are. */
+    /** Hinges, slides and wheels begin at 0, distances at their first length. */
     private void limits(Located<LevelJoint> at) {
         JsonNode limits = sketch.json().node(at.pointer() + "/limits");
         if (!limits.isArray()) {
@@ -130,7 +133,9 @@ final class JointRules {
         sketch.json().error(pointer, () -> fault);
     }
 
-    /** Pairs of ends that never meet, each in both orders, with a blank between them. */
+    /**
+     * Pairs of joined ends, which never collide; each in both orders, with a blank between them.
+     */
     static Set<String> pairs(List<Located<LevelJoint>> joints) {
         Set<String> pairs = new HashSet<>();
         for (Located<LevelJoint> at : joints) {

@@ -10,16 +10,16 @@ import java.util.stream.Stream;
  *
  * @param id unique among the levels
  * @param title shown in menus
- * @param hint shown on request; empty where there is none
+ * @param hint shown on request; empty if there is none
  * @param world its space and effects
  * @param limits the numbers of its rules
- * @param balls what must reach the platform, all of them; at least one
- * @param platform where it must stay
- * @param bodies everything else, in the file's order
+ * @param balls all of which must reach the platform; at least one
+ * @param platform on which they must stay
+ * @param bodies all others, in the file's order
  * @param joints between them, in the file's order
  * @param solutions clicks known to win
- * @param star the secret one, where there is one
- * @param origin what it was made from, if it was made by chance
+ * @param star the secret one, if there is one
+ * @param origin seed and generator, if it was made by chance
  */
 public record Level(
         String id,
@@ -42,12 +42,12 @@ public record Level(
         solutions = List.copyOf(solutions);
     }
 
-    /** Returns this level with another id and title, which do not count for its hash. */
+    /** Returns this level with another id and title, which do not affect its hash. */
     public Level called(String otherId, Wording otherTitle) {
         return with(otherId, otherTitle, origin);
     }
 
-    /** Returns this level as one that was made; that does not count for its hash either. */
+    /** Returns this level with an origin, which does not affect its hash. */
     public Level madeFrom(Origin seed) {
         return with(id, title, Optional.of(seed));
     }
@@ -68,12 +68,12 @@ public record Level(
                 otherOrigin);
     }
 
-    /** A 64-bit hash of all that play depends on; texts, solutions and star do not count. */
+    /** A 64-bit hash of all that play depends on; texts, solutions and star do not affect it. */
     public long hash() {
         return LevelHash.of(this);
     }
 
-    /** All on which a click acts: bodies in the file's order, then joints. */
+    /** All targets of clicks: bodies in the file's order, then joints. */
     public List<Clickable> clickables() {
         return clickables(bodies, joints);
     }
@@ -98,7 +98,7 @@ public record Level(
         return Stream.concat(ofBodies, ofJoints).toList();
     }
 
-    /** What a click does to something by its id; nothing where it cannot be clicked. */
+    /** The action of a click on a body or joint by its id; empty if it is not clickable. */
     public Optional<Verb> verb(String target) {
         return clickables().stream()
                 .filter(it -> it.id().equals(target))
@@ -112,9 +112,9 @@ public record Level(
     }
 
     /**
-     * Returns this level with everything movable displaced a little, to tell skill from luck.
+     * Returns this level with all movable bodies slightly displaced, to tell skill from luck.
      *
-     * @param metres draws how far the next body goes to the right, m
+     * @param metres draws the displacement of the next body to the right, m
      */
     public Level shiftedSideways(DoubleSupplier metres) {
         List<LevelBody> shifted =

@@ -14,12 +14,12 @@ import java.util.Optional;
  * @param x of the centre of mass, m
  * @param y of the centre of mass, m, up
  * @param angle rad, counter-clockwise
- * @param substance how it looks
- * @param material how it behaves: the substance's numbers, or those the file states instead
+ * @param substance its look
+ * @param material its behaviour: the substance's numbers, or those that the file states instead
  * @param motion at the start
  * @param mobility whether it moves
- * @param handling what a click does to it
- * @param path that it is driven along, of a driven body
+ * @param handling action of a click on it
+ * @param path of a driven body
  * @param source the stream or pull that comes from it
  */
 public record LevelBody(
@@ -36,11 +36,11 @@ public record LevelBody(
         Optional<LevelPath> path,
         Source source) {
 
-    /** What moves a body. */
+    /** The cause of a body's motion. */
     public enum Mobility {
         /** Forces and contacts. */
         DYNAMIC,
-        /** Nothing. */
+        /** Nothing: it does not move. */
         STATIC,
         /** Its path, whatever it meets. */
         DRIVEN
@@ -51,7 +51,7 @@ public record LevelBody(
         return does(Verb.DELETE);
     }
 
-    /** What a click does to it; empty if it stays as it is. */
+    /** The action of a click on it; empty if there is none. */
     public Optional<Verb> verb() {
         return handling.verb();
     }
@@ -65,7 +65,7 @@ public record LevelBody(
         return mobility == Mobility.DYNAMIC;
     }
 
-    /** What the engine is told. */
+    /** The engine's definition. */
     public BodyDefinition definition() {
         BodyDefinition placed =
                 switch (mobility) {

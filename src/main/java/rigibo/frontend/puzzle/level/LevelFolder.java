@@ -53,7 +53,7 @@ final class LevelFolder {
         return Path.of(resource);
     }
 
-    /** As a user in the working directory would type it, where that is shorter. */
+    /** The path as a user in the working directory would type it, if that is shorter. */
     private static Path shortened(Path folder) {
         Path here = Path.of("").toAbsolutePath();
         return folder.startsWith(here) ? here.relativize(folder) : folder;

@@ -78,7 +78,7 @@ final class LevelHash {
         if (!body.deletable()) {
             handling(body.handling());
         }
-        // What others are made of shows in their numbers alone; a fire door melts besides.
+        // Other substances show in their numbers alone; a fire door also melts.
         if (body.substance() == Substance.EMBER) {
             text(body.substance().title());
         }
@@ -99,7 +99,7 @@ final class LevelHash {
         numbers(settings.motor().speed(), settings.motor().most());
         numbers(settings.spring().hertz(), settings.spring().dampingRatio());
         numbers(settings.breakForce());
-        // A joint that no click acts on is hashed as it was before any could be.
+        // The hash of a joint that no click acts on is as before joints could be clicked.
         joint.verb().ifPresent(verb -> text(joint.id().orElseThrow()));
         handling(joint.handling());
     }

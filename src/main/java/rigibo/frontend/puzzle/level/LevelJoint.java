@@ -50,7 +50,7 @@ public record LevelJoint(
 
     private static final Pattern BALL = Pattern.compile("ball([2-4])");
 
-    /** The kinds, by what a file calls them. */
+    /** The kinds of joints, with their names in files. */
     public enum Type {
         HINGE,
         WELD,
@@ -60,13 +60,13 @@ public record LevelJoint(
         ROPE,
         SPRING;
 
-        /** Whether it is between two points, not at one. */
+        /** Whether it connects two points, not one. */
         public boolean hasTwoPoints() {
             return this == ROD || this == ROPE || this == SPRING;
         }
     }
 
-    /** What a file's node states; nothing where it cannot be a joint. */
+    /** The joint of a file's node; empty if the node cannot be a joint. */
     public static Optional<LevelJoint> of(JsonNode node) {
         try {
             return Optional.of(JointReader.joint(node));
@@ -75,15 +75,15 @@ public record LevelJoint(
         }
     }
 
-    /** What joints call the platform. */
+    /** Name of the platform in joints. */
     static final String PLATFORM = "platform";
 
-    /** What joints call a ball, from 0. */
+    /** Name of a ball in joints, from 0. */
     static String ball(int index) {
         return index == 0 ? "ball" : "ball" + (index + 1);
     }
 
-    /** What players are told of an end: a body's id, or a word of the bundles after {@code @}. */
+    /** Name of an end for players: a body's id, or a word of the bundles after {@code @}. */
     static String shown(String end) {
         if (end.equals(PLATFORM)) {
             return "@editor.platform";
@@ -91,7 +91,7 @@ public record LevelJoint(
         return ball(end).isPresent() ? "@editor.ball" : end;
     }
 
-    /** Which ball a name is of, from 0; none where it is the platform's or a body's. */
+    /** Number of the ball that a name means, from 0; empty if it means the platform or a body. */
     public static Optional<Integer> ball(String name) {
         if (name.equals(ball(0))) {
             return Optional.of(0);
@@ -102,17 +102,17 @@ public record LevelJoint(
                 : Optional.empty();
     }
 
-    /** What a click does to it; empty if it stays as it is. */
+    /** The action of a click on it; empty if there is none. */
     public Optional<Verb> verb() {
         return handling.verb();
     }
 
-    /** From end to end, m. */
+    /** Distance of its ends, m. */
     double span() {
         return Length.hypot(toX - x, toY - y);
     }
 
-    /** What the engine is told, with the bodies where the level puts them. */
+    /** The engine's definition, with the bodies at the places of the level. */
     public JointDefinition definition(RigidBody one, RigidBody other) {
         JointDefinition plain =
                 switch (type) {

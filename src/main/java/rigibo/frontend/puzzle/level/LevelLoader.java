@@ -20,7 +20,7 @@ public final class LevelLoader {
 
     private final JsonSchema schema = new JsonSchema(LevelShelf.SCHEMA);
 
-    /** Reads a file; what cannot be read is a problem like any other. */
+    /** Reads a file; a file that cannot be read is a problem like any other. */
     public LoadedLevel load(Path file) {
         Problems problems = new Problems(file.toString());
         return loaded(Document.read(file, problems), problems);
@@ -29,7 +29,7 @@ public final class LevelLoader {
     /**
      * Reads a text.
      *
-     * @param name what messages call it
+     * @param name of the text in messages
      */
     public LoadedLevel parse(String name, String text) {
         Problems problems = new Problems(name);

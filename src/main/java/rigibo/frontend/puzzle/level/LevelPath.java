@@ -7,12 +7,12 @@ import java.util.List;
  *
  * @param stops positions of its centre of mass, m, without the start; one or more
  * @param speed m/s
- * @param pause time for which it stands at the start and at each stop, s
- * @param end what it does at the last stop
+ * @param pause time spent at the start and at each stop, s
+ * @param end behaviour at the last stop
  */
 public record LevelPath(List<Stop> stops, double speed, double pause, End end) {
 
-    /** Checks that there is somewhere to go. */
+    /** Checks that there is at least one stop. */
     public LevelPath {
         stops = List.copyOf(stops);
         if (stops.isEmpty()) {
@@ -23,11 +23,11 @@ public record LevelPath(List<Stop> stops, double speed, double pause, End end) {
     /** A place of the centre of mass, world m. */
     public record Stop(double x, double y) {}
 
-    /** What a body does at the end of its path. */
+    /** The behaviour of a body at the end of its path. */
     public enum End {
-        /** Goes back the way it came, and on again. */
+        /** Goes back along the path, and forth again. */
         BACK,
-        /** Goes straight to its start, and on again. */
+        /** Goes straight to its start, and along the path again. */
         ROUND,
         /** Stays there. */
         STAY

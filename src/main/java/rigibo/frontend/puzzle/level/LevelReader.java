@@ -34,7 +34,7 @@ import java.util.OptionalInt;
 /** Turns parts of a document that the schema accepts into records; degrees become radians. */
 final class LevelReader {
 
-    /** Without numbers for its water the effect is left out, and told by E140. */
+    /** Without numbers for its water the effect is left out and reported by E140. */
     private static final String WATER = "buoyancy";
 
     private LevelReader() {}
@@ -164,7 +164,10 @@ final class LevelReader {
                 : LevelBody.Mobility.STATIC;
     }
 
-    /** A file's points are of the point that it places the body by. */
+    /**
+     * The path of a body. A file states points for the body's own reference point, not its centre
+     * of mass.
+     */
     private static Optional<LevelPath> path(JsonNode body, Outline outline) {
         JsonNode path = body.path("path");
         if (path.isMissingNode()) {

@@ -11,7 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** The level files of the game, and what their names say. */
+/** The level files of the game, and the meaning of their names. */
 public final class LevelShelf {
 
     /** The world's number, from 1, and the level's within it. */
@@ -19,7 +19,7 @@ public final class LevelShelf {
 
     private static final String ENDING = ".json";
 
-    /** What level files are held against, among the class path's resources. */
+    /** The schema of level files, a resource of the class path. */
     static final String SCHEMA = "/levels/level.schema.json";
 
     private LevelShelf() {}
@@ -40,7 +40,7 @@ public final class LevelShelf {
         }
     }
 
-    /** The level files of a player's folder by name; none where there is no such folder. */
+    /** The level files of a player's folder by name; none if there is no such folder. */
     public static List<Path> own(Path folder) {
         if (!Files.isDirectory(folder)) {
             return List.of();
@@ -53,7 +53,7 @@ public final class LevelShelf {
     }
 
     /**
-     * The number of the world that a level of the game is in, from 1.
+     * The number of the world of a level of the game, from 1.
      *
      * @param file one of {@link #files()}
      */
@@ -66,7 +66,7 @@ public final class LevelShelf {
         return Integer.parseInt(matcher.group(1));
     }
 
-    /** The place in its world of a level of the game, from 1; nothing for other files. */
+    /** The place in its world of a level of the game, from 1; empty for other files. */
     public static OptionalInt place(Path file) {
         Matcher matcher = NUMBERED.matcher(name(file));
         return matcher.matches()

@@ -15,14 +15,14 @@ import java.util.function.Function;
  * still check the others and all errors are reported at once.
  *
  * @param json the document
- * @param world where it is sound
- * @param limits where they are sound
- * @param balls the sound ones
- * @param platform where it is sound
- * @param bodies the sound ones, in the file's order
- * @param joints the sound ones, in the file's order
- * @param solutions the sound ones, in the file's order
- * @param star where there is a sound one
+ * @param world empty if it has an error
+ * @param limits empty if they have an error
+ * @param balls those without errors
+ * @param platform empty if it has an error
+ * @param bodies those without errors, in the file's order
+ * @param joints those without errors, in the file's order
+ * @param solutions those without errors, in the file's order
+ * @param star empty if there is none or it has an error
  */
 record LevelSketch(
         Document json,
@@ -35,10 +35,10 @@ record LevelSketch(
         List<Located<Solution>> solutions,
         Optional<Located<Star>> star) {
 
-    /** Where a file states its star. */
+    /** Pointer of a file's star. */
     static final String STAR = "/star";
 
-    /** Reads what the schema found sound; the readers tell what they find. */
+    /** Reads the parts that the schema accepts; the readers report errors. */
     static LevelSketch of(Document json) {
         return new LevelSketch(
                 json,
@@ -52,7 +52,7 @@ record LevelSketch(
                 part(json, STAR, StarReader::star));
     }
 
-    /** The whole level; call only when there is no error. */
+    /** The whole level; must be called only if there is no error. */
     Level level() {
         JsonNode root = json.root();
         return new Level(
@@ -70,7 +70,7 @@ record LevelSketch(
                 Optional.empty());
     }
 
-    /** All clicks that are said to win: the solutions, and the star's. */
+    /** All sequences of clicks that should win: the solutions, and the star's. */
     List<Located<Solution>> ways() {
         List<Located<Solution>> ways = new ArrayList<>(solutions);
         star.ifPresent(one -> ways.add(new Located<>(STAR + "/solution", one.part().solution())));

@@ -4,8 +4,9 @@ import tools.jackson.core.io.JsonStringEncoder;
 import tools.jackson.databind.JsonNode;
 
 /**
- * Writes a document in the layout of the game's own levels: a value that fits on one line stands on
- * one, others take a line per member. The library's printer can only use one layout for everything.
+ * Writes a document in the layout of the game's own levels: a value that fits on one line is
+ * written on one, others take a line per member. The library's printer can only use one layout for
+ * all values.
  */
 public final class LevelText {
 
@@ -53,9 +54,7 @@ public final class LevelText {
         text.append('\n').append(indent).append(node.isObject() ? '}' : ']');
     }
 
-    /**
-     * Writes a value on one line, or its beginning; returns whether all of it ends by {@code end}.
-     */
+    /** Writes a value on one line, or its beginning; returns whether it ends before {@code end}. */
     private boolean line(JsonNode node, int end) {
         if (node.isObject()) {
             return members(node, end);

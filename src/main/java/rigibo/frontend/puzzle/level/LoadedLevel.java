@@ -25,22 +25,22 @@ public final class LoadedLevel {
         this.problems = problems;
     }
 
-    /** The level; nothing when the file has an error. */
+    /** The level; empty if the file has an error. */
     public Optional<Level> level() {
         return level;
     }
 
-    /** The file as it stands, also with errors, to be read only; nothing when it is no JSON. */
+    /** The document of the file, also with errors, read only; empty if it is not JSON. */
     public Optional<JsonNode> document() {
         return document.map(Document::root);
     }
 
-    /** The problems in the order of the file; after the first hundred, how many there are more. */
+    /** The problems in the order of the file; after the first hundred, the number of the rest. */
     public List<Problem> problems() {
         return problems.inOrder();
     }
 
-    /** How many errors there are, also those that are not told. */
+    /** The number of errors, including those that are not listed. */
     public int errors() {
         return problems.errors();
     }
@@ -50,9 +50,9 @@ public final class LoadedLevel {
     }
 
     /**
-     * Adds an error that only playing the level can show; to be told of a level that was read.
+     * Adds an error that only playing the level shows, for a level that was read.
      *
-     * @param pointer JSON pointer of the value at fault
+     * @param pointer JSON pointer of the faulty value
      */
     public void error(String pointer, Fault fault) {
         document.ifPresent(at -> at.error(pointer, () -> fault));

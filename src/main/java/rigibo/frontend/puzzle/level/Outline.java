@@ -26,9 +26,9 @@ import java.util.List;
 public record Outline(Shape shape, double centroidX, double centroidY) {
 
     /**
-     * What the engine makes of a {@code shape}, whoever wrote it.
+     * The engine's shape of a {@code shape} node.
      *
-     * @throws IllegalArgumentException when the engine refuses it, in its words
+     * @throws IllegalArgumentException when the engine refuses it, with the engine's message
      */
     public static Outline of(JsonNode node) {
         return switch (node.path("type").asString("")) {
@@ -88,7 +88,7 @@ public record Outline(Shape shape, double centroidX, double centroidY) {
                 .angle(angle);
     }
 
-    /** Its corners may go round either way. */
+    /** A polygon; its corners may be in either order. */
     private static Outline polygon(JsonNode points) {
         int count = points.size();
         double[] xy = new double[2 * count];

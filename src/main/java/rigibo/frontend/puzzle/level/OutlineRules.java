@@ -14,7 +14,7 @@ import java.util.Optional;
  */
 final class OutlineRules {
 
-    /** Smallest area of a polygon, m²: below it a body is thinner than contact can be kept. */
+    /** Least area of a polygon, m²: a smaller body is thinner than the depth that contacts keep. */
     static final double LEAST_AREA = 0.0025;
 
     /** Largest radius of a box's corners, a share of its smaller side: a flat part stays. */
@@ -22,7 +22,7 @@ final class OutlineRules {
 
     private OutlineRules() {}
 
-    /** The shape at this pointer, or nothing after telling what is wrong with it. */
+    /** The shape at this pointer; empty after its error was reported. */
     static Optional<Outline> read(Document level, String pointer) {
         JsonNode node = level.node(pointer);
         boolean isSound =
@@ -47,7 +47,7 @@ final class OutlineRules {
         return round <= most;
     }
 
-    /** Every part is looked at, also after one with a fault. */
+    /** Checks all parts, also those after a faulty one. */
     private static boolean partsAreSound(Document level, String pointer) {
         boolean areSound = true;
         for (int i = 0; i < level.node(pointer).size(); i++) {
@@ -76,7 +76,7 @@ final class OutlineRules {
             return Optional.of(Outline.of(level.node(pointer)));
         } catch (IllegalArgumentException refused) {
             // A star turns left at every corner, and only the engine sees that it goes round twice;
-            // of a chain it names the edges that are too short or cross.
+            // of a chain, the engine names the edges that are too short or cross.
             boolean isChain = level.node(pointer + "/type").asString("").equals("chain");
             String kind = isChain ? "E113" : "E110";
             String what = isChain ? "E113 no landscape: %s" : "E110 polygon not convex: %s";
@@ -93,7 +93,7 @@ final class OutlineRules {
         level.error(pointer, () -> Fault.of("E110", words, x, y));
     }
 
-    /** The first corner that does not turn the way the polygon goes round, or -1. */
+    /** The first corner that does not turn in the polygon's direction, or -1. */
     private static int reflexCorner(JsonNode points, double direction) {
         int count = points.size();
         for (int i = 0; i < count; i++) {
@@ -112,7 +112,10 @@ final class OutlineRules {
         return -1;
     }
 
-    /** Flatter corners are the engine's to refuse as well; a millionth of a radian is no corner. */
+    /**
+     * Sine of the least angle of a corner, a millionth of a radian; the engine refuses flatter
+     * ones, too.
+     */
     private static final double LEAST_SINE = 1e-6;
 
     private static double x(JsonNode points, int i) {

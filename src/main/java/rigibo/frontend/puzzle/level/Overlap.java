@@ -12,7 +12,7 @@ final class Overlap {
 
     private Overlap() {}
 
-    /** Depth in m; negative is how far they are apart. */
+    /** Depth in m; negative if the bodies are apart. */
     static double depth(Footprint a, Footprint b) {
         double deepest = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < a.corners().length; i++) {
@@ -29,7 +29,9 @@ final class Overlap {
         return gap < 0 ? -gap : -Math.min(distance(a, b), distance(b, a));
     }
 
-    /** The widest gap from an edge of the first core outwards to the second; a point has none. */
+    /**
+     * The widest gap from an edge of the first core outwards to the second; a point has no edge.
+     */
     private static double widestGap(double[] first, double[] second) {
         double widest = Double.NEGATIVE_INFINITY;
         for (int i = 0; first.length > 2 && i < first.length; i += 2) {
@@ -42,7 +44,7 @@ final class Overlap {
         return first.length > 2 || second.length > 2 ? widest : 0;
     }
 
-    /** How far a point lies outside the edge that begins at this index, times its length. */
+    /** Distance of a point outside the edge that begins at this index, times the edge's length. */
     private static double area(double[] xy, int i, double x, double y) {
         int next = (i + 2) % xy.length;
         return (x - xy[i]) * (xy[next + 1] - xy[i + 1]) - (y - xy[i + 1]) * (xy[next] - xy[i]);
@@ -53,7 +55,7 @@ final class Overlap {
         return Length.hypot(xy[next] - xy[i], xy[next + 1] - xy[i + 1]);
     }
 
-    /** From the edges of the first core to the nearest corner of the second. */
+    /** Least distance from the edges of the first core to the corners of the second. */
     private static double distance(double[] first, double[] second) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < first.length; i += 2) {

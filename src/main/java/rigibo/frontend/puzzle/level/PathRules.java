@@ -13,7 +13,7 @@ import tools.jackson.databind.JsonNode;
  */
 final class PathRules {
 
-    /** A way that takes less than a step at a walking pace is none, m. */
+    /** Least length of a leg, m: at a walking pace a shorter one takes less than a step. */
     static final double LEAST_WAY = 0.01;
 
     private PathRules() {}
@@ -24,7 +24,9 @@ final class PathRules {
         }
     }
 
-    /** Whether what is placed at a pointer can be what it says; a chain can have no mass. */
+    /**
+     * Whether a body of this type can have its shape: a chain has no mass, so it cannot be dynamic.
+     */
     static boolean canBe(Document json, String pointer, Outline outline) {
         JsonNode body = json.node(pointer);
         boolean isDynamic = !body.has("path") && body.path("dynamic").asBoolean(true);

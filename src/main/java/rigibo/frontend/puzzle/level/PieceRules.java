@@ -35,7 +35,7 @@ final class PieceRules {
         }
     }
 
-    /** What hangs on it is let go with it. */
+    /** Whether a body holds a joint, which its deletion releases. */
     private static boolean holds(LevelSketch sketch, String id) {
         return sketch.joints().stream()
                 .map(Located::part)

@@ -19,7 +19,7 @@ public record Platform(double x, double y, double width, double height, double a
 
     static final double USUAL_HEIGHT = 0.3;
 
-    /** What the engine is told. */
+    /** The engine's definition. */
     public BodyDefinition definition() {
         return BodyDefinition.fixed(Polygon.box(width, height))
                 .at(x, y)

@@ -16,10 +16,10 @@ import java.util.Optional;
  */
 public record Source(Optional<Fan.Jet> jet, Optional<Magnet.Pole> pole) {
 
-    /** The category of what magnets pull. */
+    /** The category of bodies that magnets pull. */
     public static final int IRON = 1 << 1;
 
-    /** Direction of a stream that states none, against its body: up where that is level. */
+    /** Default direction of a stream, relative to its body: up for a level body. */
     private static final double UPWARDS = 90;
 
     /** Reads the members of a body at a place of the world (m) and an angle (rad). */
@@ -46,7 +46,7 @@ public record Source(Optional<Fan.Jet> jet, Optional<Magnet.Pole> pole) {
         return new Magnet.Pole(x, y, strength, magnet.path("reach").asDouble(), IRON);
     }
 
-    /** Whether anything comes from it. */
+    /** Whether the body has a stream or a pull. */
     public boolean isThere() {
         return jet.isPresent() || pole.isPresent();
     }

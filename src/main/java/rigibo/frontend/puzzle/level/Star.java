@@ -1,11 +1,11 @@
 package rigibo.frontend.puzzle.level;
 
 /**
- * The secret star of a level. It does not count for the level's hash, so that runs kept before a
- * level had one still play.
+ * The secret star of a level. It does not affect the level's hash, so that runs kept before a level
+ * had a star can still be played.
  *
- * @param text states the feat to whoever has found the star
- * @param feat what earns it, besides solving the level
+ * @param text states the feat to players who have found the star
+ * @param feat that earns it, besides solving the level
  * @param solution clicks known to earn it
  */
 public record Star(Wording text, Feat feat, Solution solution) {}

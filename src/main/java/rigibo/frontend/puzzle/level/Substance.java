@@ -7,7 +7,7 @@ import java.util.Locale;
 /**
  * The materials of level files. Densities are those of plates about 1 m deep, so that their ratios
  * are those of the real materials. Iron is the exception: a fifth of its density keeps stacks
- * within what GAME can promise.
+ * within the limits of GAME.
  */
 public enum Substance {
     RIGIBO(new Material(500, 0.5, 0.05)),
@@ -17,7 +17,7 @@ public enum Substance {
     RUBBER(new Material(1100, 0.9, 0.7)),
     IRON(new Material(1600, 0.35, 0.1)),
     BALL(new Material(600, 0.5, 0.1).rollingResistance(Substance.BALL_LEVER)),
-    /** A fire door, of which nothing is left soon after a ball has touched it. */
+    /** A fire door, which melts soon after a ball has touched it. */
     EMBER(new Material(2000, 0.5, 0));
 
     /** A leather ball's lever on wood, m: at r = 0.35 m it brakes by about 0.2 m/s². */

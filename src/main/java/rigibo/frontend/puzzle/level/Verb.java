@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What a click does to a body or a joint. */
+/** The action of a click on a body or a joint. */
 public enum Verb {
     /** A body disappears. */
     DELETE,

@@ -6,7 +6,7 @@ import java.util.Map;
 /**
  * A text in several languages.
  *
- * @param byLanguage by language tag; English is always there
+ * @param byLanguage by language tag; always holds English
  */
 public record Wording(Map<String, String> byLanguage) {
 
@@ -14,7 +14,7 @@ public record Wording(Map<String, String> byLanguage) {
         byLanguage = Map.copyOf(byLanguage);
     }
 
-    /** The text in a language, else in English. */
+    /** The text in a language; English if it has none. */
     public String in(Locale locale) {
         String english = byLanguage.getOrDefault("en", "");
         String language = byLanguage.getOrDefault(locale.getLanguage(), english);

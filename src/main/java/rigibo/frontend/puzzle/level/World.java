@@ -15,15 +15,15 @@ import java.util.OptionalDouble;
  */
 public record World(double width, double height, Effects effects) {
 
-    /** Of a plate of water 1 m deep, as the substances' densities are, kg/m². */
+    /** Density of a plate of water 1 m deep, kg/m², as the substances have them. */
     public static final double USUAL_WATER = 1000;
 
-    /** Gravity on the Moon, m/s², and how far it may be from that to count as the Moon's. */
+    /** Gravity on the Moon, m/s², and the largest difference that still counts as the Moon's. */
     private static final double MOON = -1.62;
 
     private static final double MOON_SPREAD = 0.3;
 
-    /** Calms a floating box within a second or two, 1/s. */
+    /** Drag that calms a floating box within a second or two, 1/s. */
     public static final double USUAL_DRAG = 2;
 
     /** Gravity to the right, m/s²; 0 where it is not declared. */
@@ -36,17 +36,17 @@ public record World(double width, double height, Effects effects) {
         return effects.find(Gravity.class).map(Gravity::y).orElse(0.0);
     }
 
-    /** Whether things weigh what they weigh on the Moon, or little more or less. */
+    /** Whether gravity is about that of the Moon. */
     public boolean isOnTheMoon() {
         return isOnTheMoon(gravityX(), gravityY());
     }
 
-    /** Whether a gravity to the right and upwards, m/s², is that of the Moon. */
+    /** Whether a gravity to the right and upwards, m/s², is about that of the Moon. */
     public static boolean isOnTheMoon(double gravityX, double gravityY) {
         return Math.abs(gravityX) < MOON_SPREAD && Math.abs(gravityY - MOON) < MOON_SPREAD;
     }
 
-    /** Where the water's surface is, m above the world's bottom; nothing where there is none. */
+    /** Height of the water's surface, m above the world's bottom; empty if there is no water. */
     public OptionalDouble waterLevel() {
         return effects.find(Buoyancy.class).stream().mapToDouble(Buoyancy::level).findFirst();
     }

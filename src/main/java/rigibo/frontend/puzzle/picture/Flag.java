@@ -7,9 +7,8 @@ import rigibo.frontend.scene.Skin;
 import java.util.List;
 
 /**
- * A place for the flag of a goal, of which {@link #best} finds the one where least of the cloth is
- * hidden behind bodies. The cloth hangs towards the goal's middle, so that it never leaves the
- * world.
+ * A place for the flag of a goal. {@link #best} finds the one where bodies hide least of the cloth.
+ * The cloth hangs towards the goal's middle, so that it never leaves the world.
  *
  * @param goal on which it stands
  * @param along the goal from its middle, m; positive to the right
@@ -20,13 +19,16 @@ record Flag(Platform goal, double along, double height) {
     /** Width of the pole, m. */
     private static final double POLE = 0.08;
 
-    /** Usual height of the pole, and those that look under or over what hides it, m. */
+    /** Usual height of the pole, then heights that look under or over a body in front, m. */
     private static final double[] HEIGHTS = {1.1, 0.8, 1.5};
 
-    /** From the goal's end to the middle of the pole, m. */
+    /** Distance from the goal's end to the middle of the pole, m. */
     private static final double INSET = 0.09;
 
-    /** Shares of the way from the goal's middle to a pole at its right end, the usual one first. */
+    /**
+     * Positions of the pole, as shares of the distance from the goal's middle to its right end; the
+     * usual one first.
+     */
     private static final double[] PLACES = {1, -1, 0.5, -0.5, 0};
 
     /** Width and height of the cloth, m; the width is less on a narrow goal. */
@@ -34,12 +36,10 @@ record Flag(Platform goal, double along, double height) {
 
     private static final double CLOTH_HEIGHT = 0.42;
 
-    /** Rows of points, from the pole to the cloth's tip, that are asked whether they are hidden. */
+    /** Rows of sample points, from the pole to the cloth's tip. */
     private static final int ROWS = 6;
 
-    /**
-     * The flag of which least is hidden; the usual one, at the goal's right end, if that may be.
-     */
+    /** The flag that bodies hide least; among equals the usual one, at the goal's right end. */
     static Flag best(Platform goal, List<Part> bodies) {
         Flag best = null;
         int least = Integer.MAX_VALUE;
@@ -71,7 +71,7 @@ record Flag(Platform goal, double along, double height) {
                         Skin.GOAL));
     }
 
-    /** How many of a few points of the cloth are behind bodies. */
+    /** Number of sample points of the cloth that are behind bodies. */
     private int hiddenBehind(List<Part> bodies) {
         int hidden = 0;
         for (int row = 0; row < ROWS; row++) {
@@ -104,7 +104,7 @@ record Flag(Platform goal, double along, double height) {
         return y() + height - CLOTH_HEIGHT / 2;
     }
 
-    /** Where the tip of the cloth is, from the pole to the right, m; drafts may be narrow. */
+    /** Position of the cloth's tip from the pole to the right, m; drafts may be narrow. */
     private double tip() {
         double room = Math.max(POLE, Math.abs(along) + goal.width() / 2 - INSET);
         return (along < 0 ? 1 : -1) * Math.min(CLOTH, room);

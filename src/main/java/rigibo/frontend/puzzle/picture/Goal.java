@@ -11,7 +11,7 @@ import java.util.List;
 
 /**
  * The look of a level's goal: a chequered cushion with a flag. The flag is only drawn, behind all
- * bodies, where those of the level's start hide least of it; it stays there in play.
+ * bodies, at the place where the bodies hide least of it at the start; it stays there in play.
  */
 public final class Goal {
 
@@ -37,7 +37,7 @@ public final class Goal {
         return List.copyOf(parts);
     }
 
-    /** Draws it; what is drawn afterwards is before it. */
+    /** Draws it; bodies drawn later are in front of it. */
     public void draw(Canvas canvas) {
         parts.forEach(part -> part.draw(canvas));
     }

@@ -3,9 +3,7 @@ package rigibo.frontend.puzzle.picture;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.scene.joint.JointPen;
 
-/**
- * Draws a joint as a level states it, where there is no pool: on cards and on the editor's desk.
- */
+/** Draws a joint as a level states it, without a pool: on cards and on the editor's desk. */
 public final class JointSketch {
 
     private static final double PIN = 0.06;

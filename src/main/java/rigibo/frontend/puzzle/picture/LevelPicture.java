@@ -17,7 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 
-/** A picture of a level at its start, as large as fits. */
+/** A picture of a level at its start, as large as possible. */
 public final class LevelPicture implements SceneEntry.Picture {
 
     /** Largest scale on a card, px per m; few and small bodies are not enlarged further. */
@@ -31,7 +31,7 @@ public final class LevelPicture implements SceneEntry.Picture {
     private final List<LevelJoint> joints;
     private final Scenery scenery;
 
-    /** Where the water's surface is, m; nothing where there is none. */
+    /** Height of the water's surface, m; empty if there is no water. */
     private final OptionalDouble water;
 
     /** The ball at which the faces look. */
@@ -92,7 +92,7 @@ public final class LevelPicture implements SceneEntry.Picture {
         joints.forEach(joint -> JointSketch.draw(pen, joint));
     }
 
-    /** Draws the water as wide and as deep as the level's parts go. */
+    /** Draws the water over the width and depth of the level's parts. */
     private void drawWater(Canvas canvas, Camera camera, double surface) {
         double left = camera.screenX(whole.minX);
         double top = camera.screenY(surface);

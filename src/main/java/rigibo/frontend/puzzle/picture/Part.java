@@ -8,7 +8,7 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Skin;
 
 /**
- * Something that is drawn like a body.
+ * An object drawn like a body.
  *
  * @param x of its centre, m
  * @param y of its centre, m, up
@@ -16,24 +16,22 @@ import rigibo.frontend.scene.Skin;
  */
 public record Part(Shape shape, double x, double y, double angle, Skin skin) {
 
-    /** A body as it is at the level's start. */
+    /** A body at its start. */
     static Part of(LevelBody body) {
         return new Part(body.shape(), body.x(), body.y(), body.angle(), Skins.of(body.substance()));
     }
 
-    /** Draws it; what is drawn afterwards is before it. */
+    /** Draws it; parts drawn later are in front of it. */
     public void draw(Canvas canvas) {
         canvas.body(shape, x, y, angle, skin, Canvas.Mood.PLAIN);
     }
 
-    /** Finds the rectangle that it fills, m. */
+    /** Writes its bounding rectangle, m. */
     void bounds(Aabb out) {
         shape.bounds(x, y, Math.cos(angle), Math.sin(angle), out);
     }
 
-    /**
-     * Whether a point of the world, m, is behind it. Nothing is behind a chain, which is a line.
-     */
+    /** Whether it hides a point of the world, m. A chain, which is a line, hides none. */
     boolean covers(double px, double py) {
         double cos = Math.cos(angle);
         double sin = Math.sin(angle);

@@ -7,10 +7,10 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.joint.RopeLine;
 
-/** The sign of a verb on a dark disc: its shape and its colour tell what a click does. */
+/** The sign of a verb on a dark disc: its shape and its colour show a click's action. */
 public final class VerbMark {
 
-    /** Radius of the disc, px, and of one that is pointed at. */
+    /** Radius of the disc, px, and of a disc under the pointer. */
     private static final double RADIUS = 12;
 
     private static final double LIFTED = 15;
@@ -21,8 +21,8 @@ public final class VerbMark {
     private VerbMark() {}
 
     /**
-     * Draws it at a point of the screen, px; larger if it is pointed at, grey if it is a switch
-     * that is off.
+     * Draws it at a point of the screen, px; larger under the pointer, grey for a switch that is
+     * off.
      */
     public static void draw(
             Canvas canvas, Verb verb, boolean isOn, double x, double y, boolean isMeant) {
@@ -47,7 +47,7 @@ public final class VerbMark {
         draw(canvas, verb, isOn, camera.screenX(x), camera.screenY(y), false);
     }
 
-    /** Draws it at a point of the world, m, of what is on at the start or has no switch. */
+    /** Draws it at a point of the world, m, as on or without a switch. */
     public static void draw(Canvas canvas, Camera camera, Verb verb, double x, double y) {
         draw(canvas, verb, true, camera.screenX(x), camera.screenY(y), false);
     }

@@ -3,15 +3,15 @@ package rigibo.frontend.puzzle.record;
 import rigibo.frontend.puzzle.rules.PuzzleGame;
 import rigibo.frontend.scene.LevelProgress;
 
-/** Where the results of a player's tries at a level are kept. */
+/** The record of a player's results in a level. */
 public interface Ledger {
 
-    /** What the player has done in the level so far. */
+    /** The player's results in the level so far. */
     LevelProgress known();
 
-    /** Keeps a game that solved the level. */
+    /** Records a game that solved the level. */
     void solved(PuzzleGame game);
 
-    /** Keeps that a try has failed. */
+    /** Records a failed try. */
     void failed();
 }

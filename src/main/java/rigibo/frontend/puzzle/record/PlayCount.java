@@ -6,8 +6,8 @@ import rigibo.frontend.scene.Totals;
 import java.util.Optional;
 
 /**
- * Counts what a player does in a level, as it happens, so that what is taken back and played again
- * is counted as what was done.
+ * Counts a player's actions in a level as they happen, so that clicks taken back and made again all
+ * count.
  */
 final class PlayCount {
 
@@ -16,7 +16,7 @@ final class PlayCount {
     private int clicks;
     private Totals uncounted = Totals.NONE;
 
-    /** Looks at the player's own game, once a turn until it is over. */
+    /** Counts the player's own game, once a turn until it is over. */
     void observe(PuzzleGame game) {
         if (seen.filter(game::equals).isPresent()) {
             Totals more = new Totals(0, game.clicks() - clicks, game.steps() - steps);
@@ -27,12 +27,12 @@ final class PlayCount {
         clicks = game.clicks();
     }
 
-    /** A try has ended, or was left after a click. */
+    /** Counts the end of a try, or its abandonment after a click. */
     void ended() {
         uncounted = uncounted.plus(new Totals(1, 0, 0));
     }
 
-    /** What was counted since the last time; it is counted anew from here. */
+    /** Returns the counts since the last call, and starts again at 0. */
     Totals taken() {
         Totals taken = uncounted;
         uncounted = Totals.NONE;

@@ -30,7 +30,7 @@ public final class Tally {
         this.shelf = shelf;
     }
 
-    /** The tally of a level that is there to stay, so that its runs are kept. */
+    /** The tally of a permanent level, whose runs are kept. */
     public Tally(Director director, Level level) {
         this(
                 director,
@@ -39,12 +39,12 @@ public final class Tally {
                 director.replays().map(folder -> new ReplayShelf(folder, level)));
     }
 
-    /** The tally of a level that was made, of which no run is kept. */
+    /** The tally of a level made by chance, of which no run is kept. */
     public Tally(Director director, Level level, Ledger ledger) {
         this(director, level, ledger, Optional.empty());
     }
 
-    /** Looks on, once a turn, while the player's own game is on the screen. */
+    /** Counts the player's own game, once a turn while it is on the screen. */
     public void observe(PuzzleGame game) {
         count.observe(game);
     }
@@ -70,7 +70,7 @@ public final class Tally {
         }
     }
 
-    /** Records a try that was left before its end: a failure, unless nothing was tried. */
+    /** Records an abandoned try: a failure, unless it had no click. */
     public void givenUp(PuzzleGame game) {
         if (isLeft(game)) {
             failed(game);
@@ -78,7 +78,7 @@ public final class Tally {
         left(game);
     }
 
-    /** Counts a try that was left, by restarting or by leaving the level; no failure by itself. */
+    /** Counts a try that ended by restarting or leaving the level; by itself that is no failure. */
     public void left(PuzzleGame game) {
         if (isLeft(game)) {
             count.ended();
@@ -90,7 +90,7 @@ public final class Tally {
         return game.outcome() == Outcome.RUNNING && game.clicks() > 0;
     }
 
-    /** Of an experiment nothing counts, not even its time. */
+    /** Counts of an experiment, its time included, are dropped. */
     private void keepCount(PuzzleGame game) {
         Totals more = count.taken();
         if (!game.isExperiment() && !more.equals(Totals.NONE)) {
@@ -104,12 +104,12 @@ public final class Tally {
         }
     }
 
-    /** Whether a run was kept, though it may be of another revision. */
+    /** Whether a run was kept, though perhaps of another revision. */
     public boolean hasRun() {
         return shelf.filter(ReplayShelf::hasRun).isPresent();
     }
 
-    /** The best run that was kept and plays still; reads a file. */
+    /** The best kept run that can still be played; reads a file. */
     public Optional<Recording> best() {
         return shelf.flatMap(ReplayShelf::watchable);
     }

@@ -9,7 +9,7 @@ final class GameVersion {
 
     private GameVersion() {}
 
-    /** As the build states it. */
+    /** The version that the build states. */
     static String present() {
         return Bundles.of("rigibo.version", Locale.ROOT).getString("version");
     }

@@ -5,7 +5,7 @@ import java.util.OptionalLong;
 import java.util.regex.Pattern;
 
 /**
- * Writes and reads hashes as hexadecimal text, because other programs would lose bits of JSON
+ * Writes and reads hashes as hexadecimal text, since other programs would lose bits of JSON
  * numbers.
  */
 final class Hex {
@@ -18,7 +18,7 @@ final class Hex {
         return HexFormat.of().toHexDigits(hash);
     }
 
-    /** The hash of 16 hexadecimal digits; nothing where they are none. */
+    /** The hash of 16 hexadecimal digits; empty if they are not. */
     static OptionalLong read(String digits) {
         return HASH.matcher(digits).matches()
                 ? OptionalLong.of(HexFormat.fromHexDigitsToLong(digits))

@@ -11,11 +11,11 @@ import java.util.OptionalInt;
 /**
  * The result of loading a replay file.
  *
- * @param recording nothing when the file has a problem
- * @param otherRevision revision of the simulation in which it was played, if that is not the
- *     present one, which is a problem; 0 for files of the first format, which state none
- * @param unmade what its level has to be made from before it can be watched, which is a problem
- *     until then
+ * @param recording empty if the file has a problem
+ * @param otherRevision revision of the simulation in which it was played, if it is another one,
+ *     which is a problem; 0 for files of the first format, which state none
+ * @param unmade origin from which its level has to be made before the replay can be watched, which
+ *     is a problem until then
  * @param problems all of them, in the order of the file
  */
 public record LoadedReplay(
@@ -24,11 +24,11 @@ public record LoadedReplay(
         Optional<Origin> unmade,
         List<Problem> problems) {
 
-    /** Of no file. */
+    /** The result for no file. */
     static final LoadedReplay NONE =
             new LoadedReplay(Optional.empty(), OptionalInt.empty(), Optional.empty(), List.of());
 
-    /** Whether nothing is missing but its level, which this version of the generator makes. */
+    /** Whether only its level is missing and this version of the generator can make it. */
     public boolean lacksItsLevelAlone() {
         return unmade.filter(origin -> origin.generator() == Generator.VERSION).isPresent()
                 && problems.size() == 1;

@@ -13,7 +13,7 @@ public final class Proof {
     private int next;
     private Optional<Verdict> verdict = Optional.empty();
 
-    /** A proof of a recording that has not begun to be played. */
+    /** A proof of a recording, before its playback begins. */
     public Proof(Recording recording) {
         recorded = recording.checkpoints();
     }

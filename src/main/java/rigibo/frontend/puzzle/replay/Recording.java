@@ -21,7 +21,10 @@ import java.util.List;
  */
 public record Recording(Level level, Replay replay, List<Checkpoint> checkpoints) {
 
-    /** An hour, steps: whoever waits longer does not play, and nobody waits for its proof. */
+    /**
+     * Longest recording, an hour in steps. A longer wait is no play, and its proof would take too
+     * long.
+     */
     static final int MOST_STEPS = Steps.of(3600);
 
     public Recording {
@@ -31,13 +34,13 @@ public record Recording(Level level, Replay replay, List<Checkpoint> checkpoints
         }
     }
 
-    /** A game as it was played up to now. */
+    /** A game up to the present step. */
     public static Recording of(PuzzleGame game) {
         return new Recording(game.level(), game.replay(), game.checkpoints());
     }
 
     /**
-     * A stored solution as it plays now, to where the level is won or lost.
+     * A stored solution, played with the present simulation until the level is won or lost.
      *
      * @throws IllegalArgumentException when nothing is decided within a number of steps
      */

@@ -11,21 +11,24 @@ import java.util.Optional;
 public final class ReplayCode {
 
     /**
-     * Most states that a code tells, of twenty bytes each, which cannot be packed; the rest of its
+     * Most states in a code, of twenty bytes each, which cannot be compressed; the rest of its
      * letters is for the clicks.
      */
     private static final int MOST_STATES = 40;
 
     private ReplayCode() {}
 
-    /** The code; empty if it would have too many letters, since there were too many clicks. */
+    /** The code; empty if too many clicks would make it too long. */
     public static Optional<String> of(Recording recording) {
         Recording thinned =
                 new Recording(recording.level(), recording.replay(), thinned(recording));
         return ShareCode.of(ShareCode.Kind.REPLAY, ReplayText.document(thinned));
     }
 
-    /** States at equal distances, the last one among them: it tells whether all went alike. */
+    /**
+     * States at equal distances, the last one included, which shows whether the whole run was the
+     * same.
+     */
     private static List<Checkpoint> thinned(Recording recording) {
         List<Checkpoint> all = recording.checkpoints();
         int stride = (all.size() + MOST_STATES - 1) / MOST_STATES;

@@ -32,7 +32,7 @@ public final class ReplayLoader {
     /** The format this version reads and writes. */
     static final int FORMAT = 2;
 
-    /** The format that did not say in which revision of the simulation it was played. */
+    /** The format that did not state the revision of the simulation. */
     private static final int FORMAT_WITHOUT_REVISION = 1;
 
     private static final String REVISION = "/revision";
@@ -46,7 +46,7 @@ public final class ReplayLoader {
         this.levels = List.copyOf(levels);
     }
 
-    /** Reads a file; what cannot be read is a problem like any other. */
+    /** Reads a file; a file that cannot be read is a problem like any other. */
     public LoadedReplay load(Path file) {
         Problems problems = new Problems(file.toString());
         return loaded(Document.read(file, problems), problems);
@@ -55,14 +55,16 @@ public final class ReplayLoader {
     /**
      * Reads a text.
      *
-     * @param name what messages call it
+     * @param name of the text in messages
      */
     public LoadedReplay parse(String name, String text) {
         Problems problems = new Problems(name);
         return loaded(Document.parse(text, problems), problems);
     }
 
-    /** What a document holds; a recording, or the origin of a level without which there is none. */
+    /**
+     * The content of a document: a recording, or the origin of a level that has to be made first.
+     */
     private record Found(Optional<Recording> recording, Optional<Origin> unmade) {
 
         static final Found NOTHING = new Found(Optional.empty(), Optional.empty());

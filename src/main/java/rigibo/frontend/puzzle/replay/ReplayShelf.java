@@ -19,10 +19,10 @@ import java.util.stream.Stream;
 /** The folder of a level's solved runs: the best and the last. */
 public final class ReplayShelf {
 
-    /** How the names of replay files end. */
+    /** Ending of the names of replay files. */
     public static final String ENDING = ".replay.json";
 
-    /** Time for which another game that is saving a run is waited for; a frame waits with it. */
+    /** Longest wait for another game that is saving a run; a frame waits with it. */
     private static final Duration PATIENCE = Duration.ofMillis(100);
 
     private final Path folder;
@@ -68,9 +68,9 @@ public final class ReplayShelf {
     }
 
     /**
-     * Keeps a solved run as the last, and as the best where it is, or where the best is of an
-     * altered level, and could never be watched again. What was played in another revision of the
-     * simulation is set aside.
+     * Keeps a solved run as the last one. It also becomes the best one if it is better, or if the
+     * best one is of an altered level and can never be watched again. Files of another revision of
+     * the simulation are set aside.
      *
      * @throws IOException when nothing can be written there
      */
@@ -81,7 +81,7 @@ public final class ReplayShelf {
         lock.during(() -> replace(recording));
     }
 
-    /** Under the lock: another game may have kept a better one. */
+    /** Replaces the best run; under the lock, since another game may have kept a better one. */
     private void replace(Recording recording) throws IOException {
         setAside(last());
         setAside(best());
@@ -92,7 +92,7 @@ public final class ReplayShelf {
         }
     }
 
-    /** Puts the revision into the name of a file that was played in another one. */
+    /** Renames a file of another revision: its name then holds that revision. */
     private void setAside(Path file) throws IOException {
         OptionalInt revision = read(file).otherRevision();
         if (revision.isPresent()) {

@@ -22,12 +22,12 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.regex.Pattern;
 
-/** Reads the parts of a replay that the schema accepted, and reports values that are impossible. */
+/** Reads the parts of a replay that the schema accepts, and reports impossible values. */
 final class ReplaySketch {
 
     private static final Pattern STEP = Pattern.compile("0|[1-9]\\d{0,7}");
 
-    /** Where it says what its level was made from. */
+    /** Pointer of the origin of its level. */
     static final String MADE = "/level/made";
 
     private final Document json;
@@ -36,7 +36,7 @@ final class ReplaySketch {
         this.json = json;
     }
 
-    /** The hash at a pointer, after telling why there is none. */
+    /** The hash at a pointer; empty after its error was reported. */
     OptionalLong hash(String pointer) {
         JsonNode node = json.node(pointer);
         OptionalLong hash = Hex.read(node.asString(""));
@@ -46,7 +46,10 @@ final class ReplaySketch {
         return hash;
     }
 
-    /** What its level was made from; empty of a level that was not, and where it is unsound. */
+    /**
+     * The origin of its level; empty if the level was not made by chance, or if the origin has an
+     * error.
+     */
     Optional<Origin> origin() {
         JsonNode made = json.node(MADE);
         return made.isMissingNode() || json.isSpoilt(MADE)
@@ -55,7 +58,7 @@ final class ReplaySketch {
                         new Origin(made.path("seed").asLong(0), made.path("generator").asInt(0)));
     }
 
-    /** By their steps, in which order a file has them or not. */
+    /** The checkpoints in the order of their steps, whatever their order in the file. */
     List<Checkpoint> checkpoints() {
         String all = "/hashes";
         List<Checkpoint> checkpoints = new ArrayList<>();
@@ -107,7 +110,7 @@ final class ReplaySketch {
         return acts;
     }
 
-    /** How exactly it was simulated; call only where the schema found that sound. */
+    /** The accuracy of the simulation; must be called only if the schema accepts it. */
     Accuracy accuracy() {
         JsonNode node = json.node("/accuracy");
         return new Accuracy(

@@ -8,13 +8,13 @@ import java.util.List;
 /**
  * A replay of a level that has to be made before it can be watched.
  *
- * @param name what messages call it
+ * @param name of the replay in messages
  * @param text of the replay
  * @param origin of its level
  */
 public record UnmadeReplay(String name, String text, Origin origin) {
 
-    /** The replay in its level, once that is made. */
+    /** The replay in its level, which was made meanwhile. */
     public LoadedReplay in(Level level) {
         return new ReplayLoader(List.of(level)).parse(name, text);
     }

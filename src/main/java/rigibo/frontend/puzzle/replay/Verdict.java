@@ -5,21 +5,21 @@ import rigibo.frontend.puzzle.rules.Checkpoint;
 import rigibo.frontend.puzzle.rules.ClickResult;
 import rigibo.frontend.scene.Words;
 
-/** Whether a replay ran as recorded. */
+/** The result of comparing a replay with its recording. */
 public sealed interface Verdict {
 
-    /** Whether it does, to the last bit. */
+    /** Whether all states are the same, to the last bit. */
     default boolean isSame() {
         return false;
     }
 
-    /** In words. */
+    /** The verdict in words. */
     String in(Words words);
 
     /**
      * Every state was the same to the last bit.
      *
-     * @param states how many were compared
+     * @param states number of states compared
      * @param steps to the end
      */
     record Same(int states, int steps) implements Verdict {
@@ -36,10 +36,10 @@ public sealed interface Verdict {
     }
 
     /**
-     * A state was another.
+     * A state was different.
      *
-     * @param lastSame the last step whose state was the same; negative when there was none
-     * @param recorded the first that was not
+     * @param lastSame the last step with the same state; negative if there was none
+     * @param recorded the first different one
      * @param found the hash in its place
      */
     record Diverged(int lastSame, Checkpoint recorded, long found) implements Verdict {
@@ -55,10 +55,10 @@ public sealed interface Verdict {
     }
 
     /**
-     * A click was refused that had deleted something.
+     * A click was refused that had acted in the recording.
      *
-     * @param act which
-     * @param result why not now
+     * @param act the click
+     * @param result reason of the refusal
      */
     record Refused(Act act, ClickResult result) implements Verdict {
 

@@ -1,9 +1,9 @@
 package rigibo.frontend.puzzle.rules;
 
 /**
- * A click that did something.
+ * A click that had an effect.
  *
- * @param step number of steps done before it
+ * @param step number of steps made before it
  * @param target id of the body or joint that was clicked
  */
 public record Act(int step, String target) {}

@@ -80,8 +80,8 @@ record Board(
     }
 
     /**
-     * Adds a body. What magnets pull is in a category of its own besides the usual one, so that it
-     * touches all that others do.
+     * Adds a body. One that magnets pull is in a category of its own besides the usual one, so that
+     * it collides like all others.
      */
     private static RigidBody add(Pool pool, BodyDefinition made, Substance substance) {
         boolean isPulled = substance == Substance.IRON && pool.effects().declares(Magnet.class);
@@ -98,9 +98,9 @@ record Board(
     }
 
     /**
-     * What a click at a point of the world is aimed at, clickable or not. A joint is drawn over the
-     * bodies and is found near its line; but where a rope crosses a body that can be clicked, the
-     * body is meant, for the rope can be clicked elsewhere.
+     * The target of a click at a point of the world, clickable or not. A joint is drawn over the
+     * bodies and is found near its line. But where a rope crosses a clickable body, the body is
+     * meant, since the rope can be clicked elsewhere.
      */
     Optional<Target> targetAt(double x, double y) {
         Optional<Piece> piece = pieceAt(x, y);
@@ -127,7 +127,7 @@ record Board(
         return pieces.stream().filter(piece -> piece.body() == body).findFirst();
     }
 
-    /** What has an id: the pieces, then the links. */
+    /** All bodies and joints with an id: the pieces, then the links. */
     List<Target> targets() {
         List<Target> targets = new ArrayList<>(pieces);
         targets.addAll(links);
@@ -153,22 +153,25 @@ record Board(
     }
 
     /**
-     * Whether a body of the level that nobody deleted is out of sight, below or beside the world.
+     * Whether a body of the level that was not deleted is out of sight, below or beside the world.
      */
     boolean hasFallen(Piece piece) {
         RigidBody body = piece.body();
         return body.isAlive() && isOutside(body, Math.min(body.shape().boundingRadius(), STRAY));
     }
 
-    /** A ball may fly above the world and come back; below and beside it there is no way back. */
+    /**
+     * Whether a ball is out of the world: a ball above it may come back, one below or beside it
+     * cannot.
+     */
     private boolean hasLeft(RigidBody ball) {
         double radius = ball.shape().boundingRadius();
         return isOutside(ball, radius) || ball.y() > 2 * world.height() + radius;
     }
 
     /**
-     * Removes bodies that fell so far that they can never matter again; otherwise nothing would
-     * ever rest.
+     * Removes bodies that fell so far that they no longer matter; otherwise the world would never
+     * rest.
      */
     void forgetStrays() {
         for (Piece piece : pieces) {

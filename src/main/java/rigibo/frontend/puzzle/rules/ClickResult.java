@@ -1,12 +1,12 @@
 package rigibo.frontend.puzzle.rules;
 
-/** The result of a click; no click is lost silently. */
+/** The result of a click; every click has one that the player sees. */
 public enum ClickResult {
-    /** It did what the level says. */
+    /** The click acted as the level states. */
     DONE,
-    /** Something clickable was meant, but the cooldown still runs. */
+    /** A clickable target was hit, but the cooldown is still running. */
     COOLING_DOWN,
-    /** The body under the pointer stays as it is. */
+    /** The body under the pointer cannot be clicked. */
     NOT_CLICKABLE,
     /** The level's clicks are used up. */
     NO_CLICKS_LEFT,

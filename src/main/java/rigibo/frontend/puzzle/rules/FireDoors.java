@@ -10,15 +10,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Fire doors: bodies of ember, which melt half a second after a ball has touched them. One that was
- * frozen in time is a stone and stays.
+ * Fire doors: bodies of ember, which melt half a second after a ball has touched them. A door that
+ * was frozen in time is a stone and stays.
  */
 final class FireDoors {
 
     private final Pool pool;
     private final List<RigidBody> balls;
 
-    /** Those that are still there and have not become stones. */
+    /** Doors that are still there and have not become stones. */
     private final List<Piece> doors = new ArrayList<>();
 
     private int steps;
@@ -33,7 +33,7 @@ final class FireDoors {
         return piece.isAlive() && piece.substance() == Substance.EMBER;
     }
 
-    /** Removes what has melted, before the next step. */
+    /** Removes doors that have melted, before the next step. */
     void beforeStep(int done) {
         doors.stream()
                 .filter(door -> isDoor(door) && hasMelted(door, done))
@@ -45,7 +45,7 @@ final class FireDoors {
         return door.melt().filter(melt -> melt.isOver(steps)).isPresent();
     }
 
-    /** Lets those begin to melt that a ball touched in the last step. */
+    /** Starts melting doors that a ball touched in the last step. */
     void afterStep(int done) {
         if (!doors.isEmpty()) {
             steps = done;
@@ -53,7 +53,9 @@ final class FireDoors {
         }
     }
 
-    /** A bounce within the step is a contact that begins, even if the two are apart again. */
+    /**
+     * A bounce within the step is a contact that begins, even if the two bodies are apart again.
+     */
     private void observe(ContactView contact) {
         if (contact.phase != Phase.END) {
             touch(contact.a, contact.b);
@@ -69,7 +71,7 @@ final class FireDoors {
         }
     }
 
-    /** Whether one melts, so that something is going to move. */
+    /** Whether a door is melting, so that bodies will move. */
     boolean areMelting() {
         return doors.stream().anyMatch(door -> isDoor(door) && door.melt().isPresent());
     }

@@ -5,19 +5,19 @@ import rigibo.frontend.puzzle.level.Steps;
 /**
  * The fuse of a bomb that was lit.
  *
- * @param lit number of steps done when it was
+ * @param lit number of steps made before it was lit
  */
 public record Fuse(int lit) {
 
-    /** How long it burns, steps. */
+    /** Burning time, steps. */
     private static final int LENGTH = Steps.of(1);
 
-    /** How much of it has burnt after so many steps, 0 to 1. */
+    /** Burnt share after a number of steps, 0 to 1. */
     public double burnt(int steps) {
         return Math.min(1, (steps - lit) / (double) LENGTH);
     }
 
-    /** Whether it has burnt down after so many steps. */
+    /** Whether it has burnt down after a number of steps. */
     public boolean isBurntDown(int steps) {
         return steps - lit >= LENGTH;
     }

@@ -31,7 +31,7 @@ final class HoldClock {
         }
     }
 
-    /** A step without a gap never lets go, even where the grace is nought. */
+    /** Whether a gap resets the hold. Consecutive steps never do, even with a grace of 0. */
     private boolean isLetGo(int stepsApart) {
         return stepsApart > 0 && stepsApart >= grace;
     }
@@ -45,7 +45,7 @@ final class HoldClock {
         return lastTouch != NEVER;
     }
 
-    /** How much of the hold has passed, 0 to 1. */
+    /** Share of the hold that has passed, 0 to 1. */
     double fraction(int now) {
         return Math.min(1, steps(now) / (double) length);
     }

@@ -22,9 +22,9 @@ public final class Link implements Target {
     /**
      * A point of a body, which remains when the joint is gone.
      *
-     * @param body of which
-     * @param localX m, in its own frame
-     * @param localY m, in its own frame
+     * @param body on which it lies
+     * @param localX m, in the body's frame
+     * @param localY m, in the body's frame
      */
     public record Anchor(RigidBody body, double localX, double localY) {
 
@@ -51,22 +51,22 @@ public final class Link implements Target {
         b = Anchor.at(joint.b(), joint.xB(), joint.yB());
     }
 
-    /** As the level states it. */
+    /** The level's definition. */
     public LevelJoint definition() {
         return definition;
     }
 
-    /** Its handle; no longer alive once it was cut, pulled or broken. */
+    /** Its handle; no longer alive after it was cut, pulled or broken. */
     public Joint joint() {
         return joint;
     }
 
-    /** Where it holds, or held, its first body. */
+    /** The point at which it holds, or held, its first body. */
     public Anchor a() {
         return a;
     }
 
-    /** Where it holds, or held, its second body. */
+    /** The point at which it holds, or held, its second body. */
     public Anchor b() {
         return b;
     }
@@ -118,7 +118,7 @@ public final class Link implements Target {
         return RopeLine.hanging(a.x(), a.y(), b.x(), b.y(), definition.length());
     }
 
-    /** Distance of a point of the world from what is drawn of it, m. */
+    /** Distance of a point of the world from its drawing, m. */
     double distance(double x, double y) {
         return isRope() ? line().distance(x, y) : Length.hypot(x - b.x(), y - b.y());
     }

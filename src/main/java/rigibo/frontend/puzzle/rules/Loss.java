@@ -1,14 +1,14 @@
 package rigibo.frontend.puzzle.rules;
 
-/** Why a game is lost. */
+/** The reasons for a lost game. */
 public enum Loss {
     /** The ball left the world after it had been on the platform. */
     ROLLED_OFF("rolled off"),
-    /** The ball left the world and never saw the platform. */
+    /** The ball left the world without having touched the platform. */
     LEFT_THE_WORLD("left the world"),
-    /** All is at rest, the ball is elsewhere, and no click can change that. */
+    /** All is at rest, the ball is not on the platform, and no click can change that. */
     NOTHING_LEFT_TO_DELETE("nothing left to delete"),
-    /** All is at rest, the ball is elsewhere; for levels whose clicks do more than delete. */
+    /** As above, in levels whose clicks do more than delete. */
     NOTHING_LEFT_TO_CLICK("nothing left to click"),
     /** The level's time limit has passed. */
     TIME_IS_UP("time is up");
@@ -19,7 +19,7 @@ public enum Loss {
         this.words = words;
     }
 
-    /** In English, for messages about level files. */
+    /** The reason in English, for messages about level files. */
     public String words() {
         return words;
     }

@@ -3,21 +3,21 @@ package rigibo.frontend.puzzle.rules;
 import rigibo.frontend.puzzle.level.Steps;
 
 /**
- * The end of a fire door that a ball has touched.
+ * The melting of a fire door that a ball has touched.
  *
- * @param touched number of steps done when it was
+ * @param touched number of steps made before the contact
  */
 public record Melt(int touched) {
 
-    /** How long it takes, steps: long enough to be seen, and too short for another click. */
+    /** Duration, steps: long enough to be seen, and too short for another click. */
     private static final int LENGTH = Steps.of(0.5);
 
-    /** How much of it has melted after so many steps, 0 to 1. */
+    /** Melted share after a number of steps, 0 to 1. */
     public double share(int steps) {
         return Math.min(1, (steps - touched) / (double) LENGTH);
     }
 
-    /** Whether nothing is left of it after so many steps. */
+    /** Whether it has melted after a number of steps. */
     public boolean isOver(int steps) {
         return steps - touched >= LENGTH;
     }

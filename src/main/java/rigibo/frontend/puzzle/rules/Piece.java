@@ -24,12 +24,12 @@ public final class Piece implements Target {
         isOn = !definition.handling().beginsOff();
     }
 
-    /** As the level states it. */
+    /** The level's definition. */
     public LevelBody definition() {
         return definition;
     }
 
-    /** Its handle; no longer alive once it was deleted, blew up or fell out of the world. */
+    /** Its handle; no longer alive after it was deleted, blew up or fell out of the world. */
     public RigidBody body() {
         return body;
     }
@@ -69,22 +69,24 @@ public final class Piece implements Target {
         return body.y();
     }
 
-    /** What it is made of now: stone once it was frozen. */
+    /** Its present substance: stone after it was frozen. */
     public Substance substance() {
         return isFrozen ? Substance.STONE : definition.substance();
     }
 
-    /** Speed of its surface while it is on, m/s, positive counter-clockwise; 0 if it is no belt. */
+    /**
+     * Speed of its surface while it is on, m/s, positive counter-clockwise; 0 if it is not a belt.
+     */
     public double beltSpeed() {
         return definition.material().surfaceSpeed();
     }
 
-    /** The fuse of a bomb, once it was lit. */
+    /** The fuse of a bomb that was lit. */
     public Optional<Fuse> fuse() {
         return fuse;
     }
 
-    /** The end of a fire door, once a ball has touched it. */
+    /** The melting of a fire door that a ball has touched. */
     public Optional<Melt> melt() {
         return melt;
     }

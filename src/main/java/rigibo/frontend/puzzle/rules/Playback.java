@@ -15,8 +15,8 @@ public final class Playback {
     /**
      * A click that the rules did not allow; a replay of a real game has none.
      *
-     * @param act the one
-     * @param result why not
+     * @param act the click
+     * @param result reason of the refusal
      */
     public record Refusal(Act act, ClickResult result) {}
 
@@ -51,14 +51,14 @@ public final class Playback {
         game.step();
     }
 
-    /** Goes on until so many steps are done. */
+    /** Makes steps up to a number of them. */
     public void stepTo(int steps) {
         while (game.steps() < steps) {
             step();
         }
     }
 
-    /** The click to be made next; nothing when all were made. */
+    /** The next click; empty after the last one. */
     public Optional<Act> upcoming() {
         return isDone() ? Optional.empty() : Optional.of(replay.acts().get(next));
     }

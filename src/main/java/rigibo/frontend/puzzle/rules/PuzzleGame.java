@@ -15,7 +15,7 @@ import java.util.Optional;
 
 /**
  * One attempt at a level. Clicks are made between steps, and the game is judged after each step.
- * Once it is won or lost it keeps moving but is no longer judged.
+ * After it is won or lost it keeps moving but is no longer judged.
  */
 public final class PuzzleGame {
 
@@ -168,7 +168,7 @@ public final class PuzzleGame {
     }
 
     /**
-     * The level's body under a point, or the joint near it, clickable or not; not the ball, not the
+     * The level's body under a point, or the joint near it, clickable or not; never a ball or the
      * platform.
      */
     public Optional<Target> targetAt(double x, double y) {
@@ -188,7 +188,7 @@ public final class PuzzleGame {
         return loss;
     }
 
-    /** Steps done since the start. */
+    /** Steps made since the start. */
     public int steps() {
         return steps;
     }
@@ -198,7 +198,7 @@ public final class PuzzleGame {
         return Steps.seconds(outcome == Outcome.RUNNING ? steps : endedAt);
     }
 
-    /** Clicks so far that did something. */
+    /** Number of clicks so far that had an effect. */
     public int clicks() {
         return acts.size();
     }
@@ -208,7 +208,7 @@ public final class PuzzleGame {
         return cooldown.left(steps);
     }
 
-    /** How much of the hold has passed, 0 to 1. */
+    /** Share of the hold that has passed, 0 to 1. */
     public double held() {
         return outcome == Outcome.WON ? 1 : hold.fraction(steps);
     }
@@ -220,7 +220,7 @@ public final class PuzzleGame {
         return rest.isAtRest() && !board.ballsAreOnPlatform();
     }
 
-    /** Number of steps for which nothing has moved; 0 as soon as something does. */
+    /** Number of steps without motion; 0 as soon as a body moves. */
     public int stillSteps() {
         return rest.stillSteps();
     }
@@ -234,12 +234,12 @@ public final class PuzzleGame {
         return board.platform();
     }
 
-    /** The level's bodies in the file's order, also those that are gone. */
+    /** The level's bodies in the file's order, including removed ones. */
     public List<Piece> pieces() {
         return board.pieces();
     }
 
-    /** All that has an id: the pieces, then the links; also what is gone. */
+    /** All bodies and joints with an id: the pieces, then the links; including removed ones. */
     public List<Target> targets() {
         return board.targets();
     }
@@ -249,31 +249,31 @@ public final class PuzzleGame {
         return board.target(id);
     }
 
-    /** The clicks so far that did something. */
+    /** The clicks so far that had an effect. */
     public List<Act> acts() {
         return List.copyOf(acts);
     }
 
-    /** The pool, for reading only: whoever changes it breaks the promise of {@link #replay}. */
+    /** The pool, read only: a change would break the promise of {@link #replay}. */
     public Pool pool() {
         return board.pool();
     }
 
     /**
      * Simulates other effects than the level declares. From then on this attempt is an experiment,
-     * even if they are switched back, since what happened meanwhile remains.
+     * even if the effects are switched back, since their consequences remain.
      */
     public void experiment(Effects effects) {
         board.pool().effects(board.sources().in(effects));
         isExperiment = true;
     }
 
-    /** Whether effects were switched: such an attempt earns nothing, however it ends. */
+    /** Whether effects were switched; such an attempt earns no prize. */
     public boolean isExperiment() {
         return isExperiment;
     }
 
-    /** Whether the level is solved as it is meant to be. */
+    /** Whether the level is solved under its own effects. */
     public boolean isSolved() {
         return outcome == Outcome.WON && !isExperiment;
     }
@@ -283,14 +283,14 @@ public final class PuzzleGame {
         return isSolved() && isStarEarned;
     }
 
-    /** The game's states from its start to its end, every so many steps. */
+    /** The game's states from its start to its end, at a fixed number of steps. */
     public List<Checkpoint> checkpoints() {
         return trace.checkpoints();
     }
 
     /**
-     * What has been played so far, to be kept or played again. Of an experiment it holds the clicks
-     * alone: played again, they meet the level's own effects.
+     * The play so far, to be kept or played again. For an experiment it holds the clicks alone:
+     * played again, they meet the level's own effects.
      */
     public Replay replay() {
         return new Replay(level.hash(), acts, board.pool().accuracy());

@@ -12,7 +12,7 @@ final class RestWatch {
     private static final double STILL = 0.01;
 
     /**
-     * Time for which everything must be still, since a body at the top of its swing is still for a
+     * Time for which all bodies must be still, since a body at the top of its swing is still for a
      * moment.
      */
     private static final int LONG_ENOUGH = Steps.of(1);
@@ -28,7 +28,7 @@ final class RestWatch {
         stillSteps = isStill ? stillSteps + 1 : 0;
     }
 
-    /** A click moves things again, at the earliest in the next step. */
+    /** Starts again after a click, which moves bodies in the next step at the earliest. */
     void restart() {
         stillSteps = 0;
     }

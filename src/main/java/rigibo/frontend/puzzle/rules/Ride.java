@@ -26,7 +26,7 @@ final class Ride {
 
     /**
      * The stop at which it is or from which it comes, and whether the next stop is after or before
-     * it.
+     * that one.
      */
     private int at;
 
@@ -45,7 +45,7 @@ final class Ride {
         leaves = pause;
     }
 
-    /** Call before each step, with the number of those that are done. */
+    /** Must be called before each step, with the number of steps made. */
     void beforeStep(int done) {
         if (done == leaves && body.isAlive()) {
             leave(done);

@@ -20,7 +20,7 @@ final class Sources {
         return !pieces.isEmpty();
     }
 
-    /** Returns effects with the streams and magnets that are there, if they declare such. */
+    /** Returns effects with the present streams and magnets, if they declare these. */
     Effects in(Effects declared) {
         List<Fan.Jet> jets = new ArrayList<>();
         List<Magnet.Pole> poles = new ArrayList<>();

@@ -8,7 +8,7 @@ import rigibo.frontend.puzzle.level.Steps;
 
 import java.util.List;
 
-/** Watches a game for what earns its level's star. It reads the pool and changes nothing. */
+/** Watches a game for the feat of its level's star. Reads the pool and changes nothing. */
 final class StarWatch {
 
     private final Feat feat;
@@ -21,7 +21,7 @@ final class StarWatch {
         this.board = board;
     }
 
-    /** Call after each step up to the end, before what fell far is forgotten. */
+    /** Must be called after each step up to the end, before fallen bodies are removed. */
     void observe() {
         if (feat instanceof Feat.Inside) {
             hasSpilt |= board.pieces().stream().anyMatch(board::hasFallen);
@@ -36,7 +36,9 @@ final class StarWatch {
                 || feat instanceof Feat.Touch;
     }
 
-    /** A bounce within the step is a contact that begins, even if the two are apart again. */
+    /**
+     * A bounce within the step is a contact that begins, even if the two bodies are apart again.
+     */
     private void observe(ContactView contact) {
         if (contact.phase != Phase.END) {
             hasTouched |= isTouch(contact.a, contact.b) || isTouch(contact.b, contact.a);
@@ -57,7 +59,7 @@ final class StarWatch {
     }
 
     /**
-     * Whether a game that is won just now has earned the star.
+     * Whether a game that has just been won has earned the star.
      *
      * @param acts its clicks
      * @param steps since its start

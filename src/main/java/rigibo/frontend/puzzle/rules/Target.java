@@ -4,13 +4,13 @@ import rigibo.frontend.puzzle.level.Verb;
 
 import java.util.Optional;
 
-/** A body or joint of the level in play, at which a click may be aimed. */
+/** A body or joint of the level in play at which a click may be aimed. */
 public sealed interface Target permits Piece, Link {
 
     /** Its id, unique in its level. */
     String id();
 
-    /** What a click does to it; empty if it stays as it is. */
+    /** The action of a click on it; empty if there is none. */
     Optional<Verb> verb();
 
     /** Whether it is still in the world. */

@@ -10,7 +10,7 @@ import java.util.List;
 final class Trace {
 
     /**
-     * Steps between two hashes: near enough to locate a difference, and few enough for a small
+     * Steps between two hashes: few enough to locate a difference, and many enough for a small
      * file.
      */
     private static final int EVERY = Steps.of(0.5);

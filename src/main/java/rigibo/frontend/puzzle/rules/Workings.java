@@ -12,13 +12,13 @@ import rigibo.frontend.puzzle.level.Verb;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Does what clicks ask for, and what follows from them later: fuses that burn down. */
+/** Performs the actions of clicks and their later consequences, such as fuses that burn down. */
 final class Workings {
 
     private final Pool pool;
     private final List<Piece> pieces;
 
-    /** Bombs whose fuses burn, in the order in which they were lit. */
+    /** Bombs with burning fuses, in the order in which they were lit. */
     private final List<Piece> burning = new ArrayList<>();
 
     private final Sources sources;
@@ -29,7 +29,7 @@ final class Workings {
         this.sources = sources;
     }
 
-    /** Does to a target that can be clicked what its verb says. */
+    /** Performs the verb of a clickable target. */
     void act(Target target, int steps) {
         if (target instanceof Piece piece) {
             act(piece, steps);
@@ -43,7 +43,7 @@ final class Workings {
         }
     }
 
-    /** A fan or magnet that was switched or deleted changes the effects of the pool. */
+    /** Updates the effects of the pool after a fan or magnet was switched or deleted. */
     private void refreshSources(Piece piece) {
         if (piece.definition().source().isThere()) {
             pool.effects(sources.in(pool.effects()));
@@ -65,7 +65,7 @@ final class Workings {
         burning.add(bomb);
     }
 
-    /** Blows up what is due, before the next step. */
+    /** Blows up bombs that are due, before the next step. */
     void beforeStep(int steps) {
         burning.removeIf(bomb -> !bomb.isAlive());
         for (Piece bomb : List.copyOf(burning)) {
@@ -90,7 +90,7 @@ final class Workings {
         reached.forEach(next -> light(next, steps));
     }
 
-    /** The bombs not lit yet of which some part is within a distance (m) of a bomb's centre. */
+    /** The bombs not lit yet that have a part within a distance (m) of a bomb's centre. */
     private List<Piece> bombsWithin(double distance, Piece bomb) {
         List<RigidBody> near = new ArrayList<>();
         Placement centre = new Placement(bomb.x(), bomb.y(), 0);
@@ -101,7 +101,7 @@ final class Workings {
                 .toList();
     }
 
-    /** Whether a fuse burns, so that something is going to move. */
+    /** Whether a fuse burns, so that bodies will move. */
     boolean isBurning() {
         return !burning.isEmpty();
     }

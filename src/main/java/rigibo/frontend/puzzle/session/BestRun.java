@@ -9,8 +9,8 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Skin;
 
 /**
- * The ghost of the player's best run: outlines of its balls at the step of the game that is played.
- * The run is simulated again from its clicks, so nothing but those is stored.
+ * The ghost of the player's best run: outlines of its balls at the present step of the game. The
+ * run is simulated again from its clicks, so only those are stored.
  */
 public final class BestRun {
 
@@ -30,8 +30,8 @@ public final class BestRun {
     }
 
     /**
-     * Brings the run to the step of a game: forwards, or from the start where the game went back to
-     * before its last click, or began anew. The run waits at its own end.
+     * Advances the run to the step of a game, or starts it again if the game took a click back or
+     * began anew. The run waits at its own end.
      */
     void follow(PuzzleGame game) {
         if (playback.game().steps() > game.steps()) {
@@ -51,7 +51,7 @@ public final class BestRun {
                 && playback.game().steps() < game.steps();
     }
 
-    /** The run as far as it has come. */
+    /** The run up to the present step. */
     PuzzleGame game() {
         return playback.game();
     }

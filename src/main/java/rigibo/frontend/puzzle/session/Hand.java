@@ -1,11 +1,11 @@
 package rigibo.frontend.puzzle.session;
 
-/** Who makes the clicks. */
+/** The origin of the clicks. */
 public enum Hand {
     PLAYER,
-    /** A stored solution, which earns nothing. */
+    /** A stored solution, which earns no prize. */
     SOLUTION,
-    /** The player's try that is over, shown again. */
+    /** The player's finished try, shown again. */
     REPLAY,
     /** A recording, watched from its start to its end. */
     RECORDING

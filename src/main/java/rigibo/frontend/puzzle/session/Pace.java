@@ -28,7 +28,7 @@ public enum Pace {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** The speed that a link names; none where there is no such. */
+    /** The speed that a link names; empty if there is no such speed. */
     public static Optional<Pace> ofLinked(String name) {
         return Arrays.stream(values()).filter(one -> one.linked().equals(name)).findFirst();
     }
@@ -41,7 +41,7 @@ public enum Pace {
         return values()[Math.max(ordinal() - 1, 0)];
     }
 
-    /** The next speed for a button: slower and slower, then full speed again. */
+    /** The next speed for a button: ever slower, then full speed again. */
     public Pace next() {
         return values()[(ordinal() + 1) % values().length];
     }

@@ -19,7 +19,7 @@ final class Poses {
         }
     }
 
-    /** Continues with another game. */
+    /** Forgets all poses, for another game. */
     void forget() {
         before.clear();
     }
@@ -27,7 +27,7 @@ final class Poses {
     /**
      * The pose at which a body is drawn.
      *
-     * @param share of the way from the last step's beginning to its end, 0 to 1
+     * @param share of the time from the beginning of the last step to its end, 0 to 1
      */
     Pose of(RigidBody body, double share) {
         Pose now = Pose.of(body);

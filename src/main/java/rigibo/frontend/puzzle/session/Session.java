@@ -46,14 +46,14 @@ public final class Session {
         own = timed(new PuzzleGame(level, accuracy));
     }
 
-    /** A session that only watches a recording, and stops at its end. */
+    /** A session that only watches a recording and stops at its end. */
     public static Session watching(Recording recording) {
         Session session = new Session(recording.level(), recording.replay().accuracy());
         session.show(Hand.RECORDING, recording);
         return session;
     }
 
-    /** Gives a game a clock, since the effects bar shows how long a step takes. */
+    /** Gives a game a clock, since the effects bar shows the time of a step. */
     private static PuzzleGame timed(PuzzleGame made) {
         made.pool().clock(System::nanoTime);
         return made;
@@ -113,7 +113,7 @@ public final class Session {
         return poses.of(body, share());
     }
 
-    /** Share of the way from the last step's beginning to its end that is drawn. */
+    /** Share of the last step at which bodies are drawn. */
     private double share() {
         return (frame + 1.0) / pace.framesPerStep();
     }
@@ -130,9 +130,9 @@ public final class Session {
     }
 
     /**
-     * Goes back to just before the last click by playing again from the start. A few hundred steps
-     * cost no more than a frame or two, and no state has to be kept that could differ. The level's
-     * own effects are used, so that an experiment is undone with the click.
+     * Goes back to the state before the last click by playing again from the start. A few hundred
+     * steps cost no more than a frame or two, and no stored state can differ. The level's own
+     * effects are used, so that an experiment is undone with the click.
      *
      * @return whether there was a click to take back
      */
@@ -150,12 +150,12 @@ public final class Session {
         return true;
     }
 
-    /** Shows a solution from the level's start; afterwards the level starts anew. */
+    /** Shows a solution from the level's start; afterwards the level starts again. */
     public void show(Solution solution) {
         show(Hand.SOLUTION, Replay.of(level, solution, accuracy));
     }
 
-    /** Shows again the game that is over; afterwards it is over as before. */
+    /** Shows the finished game again; afterwards it is finished as before. */
     public void showAgain() {
         show(Hand.REPLAY, Recording.of(own));
     }
@@ -178,14 +178,12 @@ public final class Session {
         show.ifPresent(playback -> proof.ifPresent(one -> one.observe(playback)));
     }
 
-    /**
-     * Whether the game shown again runs as before; empty until it ends, unless it differs earlier.
-     */
+    /** Whether the game shown again runs as before; empty until it ends or differs. */
     public Optional<Verdict> verdict() {
         return proof.flatMap(Proof::verdict);
     }
 
-    /** Ends what is shown. */
+    /** Ends the show. */
     public void stopShow() {
         if (hand == Hand.SOLUTION) {
             restart();
@@ -209,7 +207,7 @@ public final class Session {
         frame = pace.framesPerStep() - 1;
     }
 
-    /** The game on the screen: the player's own, or what is shown in its place. */
+    /** The game on the screen: the player's own, or the show in its place. */
     public PuzzleGame game() {
         return show.map(Playback::game).orElse(own);
     }
@@ -223,7 +221,7 @@ public final class Session {
         return hand;
     }
 
-    /** The game that is shown in place of the player's own. */
+    /** The show in place of the player's own game. */
     public Optional<Playback> show() {
         return show;
     }
@@ -245,7 +243,7 @@ public final class Session {
         return isPaused;
     }
 
-    /** Pausing a game that is over would only hide why. */
+    /** Pauses or resumes; a finished game cannot be paused, since that would hide its outcome. */
     public void togglePause() {
         isPaused = !isPaused && game().outcome() == Outcome.RUNNING;
     }

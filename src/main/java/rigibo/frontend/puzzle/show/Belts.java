@@ -13,7 +13,7 @@ import java.util.IdentityHashMap;
 import java.util.Map;
 
 /**
- * Chevrons that run round belts with their surface; they stand still, and are dim, when it does.
+ * Chevrons that run round belts with their surface; while it stands still, they do too and are dim.
  */
 final class Belts {
 
@@ -29,7 +29,7 @@ final class Belts {
     private static final Color RUNNING = Color.BRASS.alpha(0.9);
     private static final Color STANDING = Color.EDGE;
 
-    /** How far each belt has run since its game began, m, counter-clockwise. */
+    /** Distance that each belt has run since its game began, m, counter-clockwise. */
     private final Map<Piece, Double> ways = new IdentityHashMap<>();
 
     void clear() {

@@ -17,7 +17,7 @@ final class Bombs {
     private static final Color CORD_EDGE = Color.of(0x23190F);
     static final Color FLAME = Color.of(0xFFB347);
 
-    /** Points of a fuse, its length as a share of the bomb's radius, and its width, m. */
+    /** Number of points of a fuse, its length as a share of the bomb's radius, and its width, m. */
     private static final int POINTS = 9;
 
     private static final double LENGTH = 0.9;

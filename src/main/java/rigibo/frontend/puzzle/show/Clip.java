@@ -33,7 +33,7 @@ final class Clip {
         return x >= left && x <= right && y >= top && y <= bottom;
     }
 
-    /** Cuts a line; returns whether anything is left of it. */
+    /** Cuts a line; returns whether a part of it is left. */
     boolean cut(double x1, double y1, double x2, double y2) {
         enters = 0;
         leaves = 1;
@@ -54,8 +54,8 @@ final class Clip {
     /**
      * Cuts at one edge.
      *
-     * @param speed at which the line goes out over it
-     * @param room from where the line begins to the edge, negative beyond it
+     * @param speed at which the line leaves over it
+     * @param room from the line's beginning to the edge, negative beyond it
      */
     private boolean meets(double speed, double room) {
         if (speed == 0) {

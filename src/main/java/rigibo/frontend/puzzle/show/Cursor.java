@@ -9,7 +9,7 @@ import rigibo.frontend.scene.Scene;
 import java.util.List;
 import java.util.Optional;
 
-/** The target of a click: the position of the pointer, or what keys selected. */
+/** The aim of a click: the position of the pointer, or a target selected by keys. */
 final class Cursor {
 
     private static final int NONE = -1;
@@ -37,7 +37,7 @@ final class Cursor {
         chosen = NONE;
     }
 
-    /** Position on the screen, px: that of the pointer, or of what is selected. */
+    /** Position on the screen, px: that of the pointer, or of the selected target. */
     double x(PuzzleGame game) {
         return chosen(game).map(target -> camera.screenX(target.x())).orElse(x);
     }
@@ -47,21 +47,21 @@ final class Cursor {
         return chosen(game).map(target -> camera.screenY(target.y())).orElse(y);
     }
 
-    /** The body or joint selected by keys, if it can still be clicked. */
+    /** The target selected by keys, if it can still be clicked. */
     Optional<Target> chosen(PuzzleGame game) {
         return chosen == NONE
                 ? Optional.empty()
                 : Optional.of(game.targets().get(chosen)).filter(Target::isClickable);
     }
 
-    /** The body or joint that is selected by keys, or lies under the pointer. */
+    /** The target selected by keys, or the one under the pointer. */
     Optional<Target> under(PuzzleGame game) {
         return chosen(game).or(() -> game.targetAt(camera.worldX(x), camera.worldY(y)));
     }
 
     /**
-     * Selects the next of what can be clicked (+1), or the previous one (−1): bodies in the order
-     * of the file, then joints.
+     * Selects the next target (+1) or the previous one (−1): bodies in the order of the file, then
+     * joints.
      */
     void cycle(PuzzleGame game, int direction) {
         List<Target> targets = game.targets();

@@ -9,22 +9,22 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** The light about fire doors, and the drops that run down them while they melt. */
+/** The glow around fire doors, and the drops that run down them while they melt. */
 final class Embers {
 
     private static final Color HOT = Color.of(0xFFC766);
 
-    /** Distance between two lights along the door, and width of one, m. */
+    /** Distance between two lights along the door, and width of a light, m. */
     private static final double SPACING = 0.35;
 
     private static final double WIDTH = 1.1;
 
-    /** How strong a light is before the door melts and at the end. */
+    /** Strength of a light before the door melts and at the end. */
     private static final double DIM = 0.16;
 
     private static final double BRIGHT = 0.75;
 
-    /** A breath of the light, steps. */
+    /** Period of the pulsing light, steps. */
     private static final double BREATH = 110;
 
     /** Distance between two drops, m, and the radius of one, px. */
@@ -32,7 +32,7 @@ final class Embers {
 
     private static final double DROP = 4;
 
-    /** How far drops run below the door until it is gone, m. */
+    /** Distance that drops run below the door until it is gone, m. */
     private static final double RUN = 0.5;
 
     private Embers() {}
@@ -72,7 +72,7 @@ final class Embers {
         double high = bounds.maxY - bounds.minY;
         for (int i = 0; i < drops; i++) {
             double x = bounds.minX + (i + 0.5) * (bounds.maxX - bounds.minX) / drops;
-            // Each begins elsewhere, so that they do not run in a row.
+            // Each light has a phase of its own, so that they do not pulse together.
             double begun = 0.5 + 0.5 * Math.sin(2.4 * i + 1);
             double y = bounds.maxY - begun * high - melted * melted * (RUN + (1 - begun) * high);
             double radius = DROP * (0.6 + 0.4 * melted);

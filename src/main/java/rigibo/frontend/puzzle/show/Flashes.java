@@ -8,10 +8,10 @@ import rigibo.frontend.scene.Color;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Light and a widening ring where a bomb blew up, or a body became a stone. */
+/** Light and a widening ring where a bomb blew up or a body became a stone. */
 final class Flashes {
 
-    /** How long one is seen, frames. */
+    /** Duration of a flash, frames. */
     private static final int SEEN = Steps.of(0.45);
 
     private static final double STRONGEST = 0.8;
@@ -37,12 +37,12 @@ final class Flashes {
         flashes.clear();
     }
 
-    /** A bomb blew up at a point of the world and reaches so far, m. */
+    /** Starts the flash of a bomb at a point of the world, with the bomb's reach, m. */
     void blast(double x, double y, double reach) {
         flashes.add(new Flash(x, y, reach, Bombs.FLAME));
     }
 
-    /** A body of a radius became a stone, m. */
+    /** Starts the flash of a body of a radius that became a stone, m. */
     void freeze(double x, double y, double radius) {
         flashes.add(new Flash(x, y, 1.6 * radius, Color.ICE));
     }

@@ -8,7 +8,8 @@ import rigibo.frontend.scene.Settings.Motion;
 
 /**
  * The ring around the ball that fills while the ball stays on the platform, with a notch for each
- * second. When the ball leaves it, the lost part breaks into pieces, visible for a moment.
+ * second. When the ball leaves the platform, the lost part breaks into pieces, visible for a
+ * moment.
  */
 final class HoldRing {
 
@@ -20,8 +21,8 @@ final class HoldRing {
     private static final double WIDTH = 6;
 
     /**
-     * Number of pieces of a full ring; the lost part is drawn in as many per angle, so that its
-     * shape tells as well as its colour.
+     * Number of pieces of a full ring. The lost part breaks into pieces of the same angle, so that
+     * its shape, too, shows how much was lost.
      */
     private static final int PIECES = 24;
 
@@ -49,7 +50,7 @@ final class HoldRing {
         lostTurns = Math.max(0, lostTurns - 1);
     }
 
-    /** Begins with another game, or with an earlier state of the same one. */
+    /** Starts again with another game, or with an earlier state of the same one. */
     void reset(PuzzleGame game) {
         held = game.held();
         lostTurns = 0;

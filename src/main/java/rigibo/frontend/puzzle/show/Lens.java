@@ -17,19 +17,19 @@ import rigibo.frontend.scene.Layout;
 import java.util.Optional;
 
 /**
- * A magnifier for a finger that chooses among things smaller than itself: the outlines of what is
- * below it, drawn above it, with what would be clicked lit.
+ * A magnifier for a finger among targets smaller than itself. It shows the outlines below the
+ * finger, above the finger, with the target of a click lit.
  */
 final class Lens {
 
-    /** Its side, and from the finger to its lower edge, in fingers. */
+    /** Its side, and the distance from the finger to its lower edge, in fingers. */
     private static final double SIDE = 3.2;
 
     private static final double ABOVE = 1;
 
     private static final double ZOOM = 2.4;
 
-    /** Directions in which a round outline is followed, for each half turn. */
+    /** Number of directions in which a round outline is followed, for each half turn. */
     private static final int DIRECTIONS = 24;
 
     private static final double LINE = 2.5;
@@ -49,7 +49,7 @@ final class Lens {
         this.camera = camera;
     }
 
-    /** Draws it for a finger at a point of the screen, px, if anything small is near. */
+    /** Draws it for a finger at a point of the screen, px, if a small target is near. */
     void draw(Canvas on, double x, double y, Optional<Target> meant) {
         Layout layout = on.layout();
         double finger = layout.clickable(0);
@@ -164,7 +164,7 @@ final class Lens {
         return middleY - (y - worldY) * camera.scale() * ZOOM;
     }
 
-    /** Whether a finger at a point, px, could mean something that is smaller than itself. */
+    /** Whether a finger at a point, px, could mean a target smaller than itself. */
     private boolean isAmongSmallThings(double x, double y, double finger) {
         return session.game().targets().stream()
                 .filter(Target::isClickable)

@@ -13,29 +13,31 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The two parts of each rope that was cut, which fall and then hang from what the rope held, or lie
- * on what is below. They are drawn and push nothing: a rope has no mass in the game.
+ * The two parts of each rope that was cut, which fall and then hang from their bodies, or lie on
+ * bodies below. They are drawn but push nothing: a rope has no mass in the game.
  */
 final class LooseEnds {
 
-    /** Length of a piece, m; a shorter part has two pieces all the same. */
+    /** Length of a piece, m; a shorter part still has two pieces. */
     private static final double PIECE = 0.12;
 
     private static final int FEWEST = 2;
 
-    /** Rounds in which the pieces get their lengths back in each frame. */
+    /** Iterations that restore the lengths of the pieces in each frame. */
     private static final int ROUNDS = 12;
 
-    /** Share of its motion that a point keeps in each frame. */
+    /** Share of its velocity that a point keeps in each frame. */
     private static final double KEPT = 0.985;
 
-    /** By which two ends spring apart, m per frame; without it one could stand upright. */
+    /**
+     * Speed at which the two ends spring apart, m per frame; without it an end could stand upright.
+     */
     private static final double SWING = 0.02;
 
-    /** Radius of the pin that still holds a part, m. */
+    /** Radius of the pin that holds a part, m. */
     private static final double PIN = 0.05;
 
-    /** Distance from a surface at which the middle of a cord lies on it, m. */
+    /** Distance from a surface to the middle of a cord that lies on it, m. */
     private static final double LIES = 0.03;
 
     private final List<Part> parts = new ArrayList<>();
@@ -75,7 +77,7 @@ final class LooseEnds {
         parts.clear();
     }
 
-    /** A rope is cut now at a share of its length: its parts begin where it was. */
+    /** A rope is cut now at a share of its length: its parts begin at its place. */
     void cut(Link link, double share) {
         RopeLine line = link.line();
         Part a = part(link.a(), share * link.definition().length());
@@ -92,7 +94,7 @@ final class LooseEnds {
         b.swing(SWING);
     }
 
-    /** A rope was cut earlier: its parts hang straight down, as far as they come. */
+    /** A rope was cut earlier: its parts hang straight down, until they meet a body. */
     void hang(Link link, double share, Pool pool) {
         hang(part(link.a(), share * link.definition().length()), pool);
         hang(part(link.b(), (1 - share) * link.definition().length()), pool);
@@ -111,7 +113,7 @@ final class LooseEnds {
         }
     }
 
-    /** Stops a point that came from (x, y) at the first body on its way, but for its own. */
+    /** Stops a point that came from (x, y) at the first body on its way, except its own. */
     private static void lay(Part part, int point, double x, double y, Pool pool) {
         Optional<RayHit> met = pool.rayCast(x, y, part.xy[2 * point], part.xy[2 * point + 1]);
         if (met.isPresent() && !met.get().body().equals(part.anchor.body())) {
@@ -163,7 +165,7 @@ final class LooseEnds {
             double dy = xy[i + 1] - xy[i - 1];
             double length = Math.hypot(dx, dy);
             double excess = length > 0 ? (length - part.piece) / length : 0;
-            // The anchor gives way to nothing; elsewhere both points take half.
+            // The anchor does not give way; elsewhere both points take half.
             double share = i == 2 ? 0 : 0.5;
             xy[i - 2] += share * excess * dx;
             xy[i - 1] += share * excess * dy;

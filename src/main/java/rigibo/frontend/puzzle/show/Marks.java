@@ -16,10 +16,10 @@ import rigibo.frontend.scene.joint.RopeLine;
 
 import java.util.Optional;
 
-/** Marks what a click acts on, besides boxes, which have faces. */
+/** Marks the targets of clicks, except boxes, which have faces. */
 final class Marks {
 
-    /** Width and opacity of the light along a rope that is pointed at. */
+    /** Width and opacity of the light along a rope under the pointer. */
     private static final double LIGHT = 11;
 
     private static final double LIT = 0.4;
@@ -85,8 +85,8 @@ final class Marks {
     }
 
     /**
-     * Draws the way in which a motor drives, grey while it is off; one that turns shows it itself
-     * while it is on.
+     * Draws the direction of a motor, grey while it is off. A turning motor shows its direction by
+     * itself.
      */
     private void direction(Canvas canvas, Link link, Pose at) {
         double speed = link.definition().settings().motor().speed();
@@ -132,7 +132,7 @@ final class Marks {
         return session.pose(anchor.body()).at(anchor.localX(), anchor.localY());
     }
 
-    /** Draws the sign of what a click would do beside the pointer, px. */
+    /** Draws the sign of a click's action beside the pointer, px. */
     static void drawAtPointer(Canvas canvas, Target meant, double x, double y) {
         Verb verb = meant.verb().orElseThrow();
         if (verb != Verb.DELETE) {

@@ -18,9 +18,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 
-/**
- * The sounds of a level: its knocks and rolling, and those of clicks, hold and the end of the game.
- */
+/** The sounds of a level: impacts and rolling, clicks, the hold, and the end of the game. */
 final class Noises {
 
     /**
@@ -36,10 +34,10 @@ final class Noises {
     private Outcome outcome;
     private int ticks;
 
-    /** Bombs whose fuses burnt when the game was last heard. */
+    /** Bombs with burning fuses at the last call. */
     private final List<Piece> lit = new ArrayList<>();
 
-    /** Fire doors that melted when the game was last heard. */
+    /** Fire doors that were melting at the last call. */
     private final List<Piece> melting = new ArrayList<>();
 
     /** The sounds of a game from its present state on. */
@@ -48,7 +46,7 @@ final class Noises {
         listenTo(game);
     }
 
-    /** Skips what happened before: the game may be another try, or one that was taken back. */
+    /** Takes over the state of another game without sounds: another try, or an undone click. */
     private void listenTo(PuzzleGame other) {
         game = other;
         impacts = new Impacts();
@@ -106,7 +104,7 @@ final class Noises {
         return game.pieces().stream().filter(piece -> piece.isAlive() && piece.melt().isPresent());
     }
 
-    /** A bomb that fell out of the world did not. */
+    /** Whether a bomb blew up; one that fell out of the world did not. */
     private boolean hasBlownUp(Piece bomb) {
         return !bomb.isAlive() && bomb.fuse().orElseThrow().isBurntDown(game.steps());
     }
@@ -139,7 +137,7 @@ final class Noises {
         }
     }
 
-    /** Called when a click did something. */
+    /** Called when a click had an effect. */
     void did(Target target) {
         switch (target.verb().orElseThrow()) {
             case DELETE -> sounds.pop();
@@ -154,7 +152,7 @@ final class Noises {
         }
     }
 
-    /** Called when something that the player asked for is not possible now. */
+    /** Called when a command is not possible at present. */
     void refused() {
         sounds.refuse();
     }

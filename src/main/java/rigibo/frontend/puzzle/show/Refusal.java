@@ -9,10 +9,10 @@ import rigibo.frontend.scene.widget.Sign;
 
 import java.util.Optional;
 
-/** Shows that a click was refused, and why; no click is lost silently. */
+/** Shows that a click was refused, and the reason. */
 public final class Refusal {
 
-    /** Time for which something shakes. */
+    /** Time for which a refused object shakes. */
     private static final int SHAKING_TURNS = Steps.of(0.3);
 
     /** Time for which a refusal is shown: long enough to read its words. */
@@ -23,7 +23,7 @@ public final class Refusal {
     /** Half the width of the cross, px. */
     private static final double CROSS = 9;
 
-    /** The reason, if something is being refused. */
+    /** The reason of the present refusal. */
     private Optional<Reason> reason = Optional.empty();
 
     private double x;
@@ -46,7 +46,7 @@ public final class Refusal {
         OVER
     }
 
-    /** Refuses something at a point of the screen, px. */
+    /** Refuses a click or command at a point of the screen, px. */
     void refuse(Reason why, double atX, double atY) {
         reason = Optional.of(why);
         x = atX;
@@ -87,7 +87,7 @@ public final class Refusal {
         return reason.filter(why::equals).isPresent();
     }
 
-    /** Sideways displacement of what is refused, px; 0 if the player wants less motion. */
+    /** Sideways displacement of the refused object, px; 0 if the player wants less motion. */
     public double shake(Motion motion) {
         int shaking = turnsLeft - (SEEN_TURNS - SHAKING_TURNS);
         boolean isStill = motion == Motion.REDUCED || reason.isEmpty() || shaking <= 0;

@@ -25,7 +25,7 @@ import java.util.List;
  */
 record Remains(Shape shape, Pose pose, Skin skin) {
 
-    /** Factors by which it becomes flatter, and wider. */
+    /** Factors by which it becomes flatter and wider. */
     private static final double FLATTER = 0.7;
 
     private static final double WIDER = 0.3;
@@ -46,7 +46,7 @@ record Remains(Shape shape, Pose pose, Skin skin) {
         return bounds;
     }
 
-    /** Draws it squashed towards its support, by a share from 0, not yet, to 1. */
+    /** Draws it squashed towards its support, by a share from 0 (unchanged) to 1. */
     void draw(Canvas canvas, double squashed) {
         boolean isUpright = Math.abs(Math.cos(pose.angle())) > Math.abs(Math.sin(pose.angle()));
         double flat = 1 - FLATTER * squashed;
@@ -67,7 +67,7 @@ record Remains(Shape shape, Pose pose, Skin skin) {
     }
 
     /**
-     * Oblique parts are squashed along their own axes, which nobody notices in a tenth of a second.
+     * Squashes oblique parts along their own axes, which is not noticeable in a tenth of a second.
      */
     private static Shape scaled(Compound compound, double across, double along) {
         List<Part> parts = new ArrayList<>();

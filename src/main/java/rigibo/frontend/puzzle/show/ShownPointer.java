@@ -20,7 +20,7 @@ final class ShownPointer {
     /** Time for which a click is visible. */
     private static final int RIPPLE = Steps.of(0.4);
 
-    /** Height of the arrow, whose tip is where it points, px. */
+    /** Height of the arrow, whose tip is the point of the click, px. */
     private static final double ARROW = 32;
 
     private final Camera camera;

@@ -28,8 +28,8 @@ import java.util.Optional;
 
 /**
  * Animations for display only: deleted boxes burst, impacts raise dust, the ball glows, confetti
- * flies, ropes that were cut hang down, and a lost world turns grey. It observes the game instead
- * of receiving events, so that a click looks the same whoever made it.
+ * flies, cut ropes hang down, and a lost world turns grey. It observes the game instead of
+ * receiving events, so that a click of any origin looks the same.
  */
 final class Spectacle {
 
@@ -45,10 +45,10 @@ final class Spectacle {
     /** Width of the glow, in radii of the ball. */
     private static final double GLOW = 4.6;
 
-    /** Speed of falling above which a RigiBo is afraid, m/s. */
+    /** Speed of falling from which on a RigiBo looks afraid, m/s. */
     private static final double FEARED = 2.0;
 
-    /** Where a rope is cut that no pointer cuts, as a share of its length. */
+    /** Cut of a rope without a pointer, as a share of its length. */
     static final double MIDDLE = 0.5;
 
     private final Belts belts = new Belts();
@@ -105,7 +105,7 @@ final class Spectacle {
         flash = Math.max(0, flash - 1);
     }
 
-    /** Removes all effects of the old attempt when a new one begins or a click is undone. */
+    /** Removes all animations of the old attempt when a new one begins or a click is undone. */
     private void begin(PuzzleGame game) {
         watched = game;
         steps = game.steps();
@@ -151,8 +151,8 @@ final class Spectacle {
     }
 
     /**
-     * Tells where the pointer cuts a rope, before it does; it is shown cut there again after an
-     * undo. Where nothing was told, a rope is cut in its middle.
+     * Sets the place at which the pointer is about to cut a rope; after an undo it is cut there
+     * again. Without it, a rope is cut in its middle.
      *
      * @param share of its length, 0 to 1
      */
@@ -160,7 +160,7 @@ final class Spectacle {
         cuts.put(rope.id(), share);
     }
 
-    /** Draws what moves on a piece: the chevrons of a belt, the fuse of a bomb, embers. */
+    /** Draws the moving parts of a piece: chevrons of a belt, the fuse of a bomb, embers. */
     void drawOn(Canvas canvas, Camera camera, Piece piece) {
         Pose pose = session.pose(piece.body());
         belts.draw(canvas, camera, piece, pose);
@@ -168,7 +168,7 @@ final class Spectacle {
         Embers.draw(canvas, camera, piece, pose, watched.steps());
     }
 
-    /** Draws what is left of the ropes that were cut. */
+    /** Draws the remains of cut ropes. */
     void drawRopes(JointPen pen) {
         looseEnds.draw(pen);
     }

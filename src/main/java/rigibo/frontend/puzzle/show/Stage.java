@@ -60,7 +60,7 @@ final class Stage {
         goal = Goal.of(session.game().level());
     }
 
-    /** Draws all bodies and joints; what is under the pointer is lifted if it can be clicked. */
+    /** Draws all bodies and joints; a clickable one under the pointer is lifted. */
     void draw(Canvas canvas, Optional<Target> meant, Spectacle spectacle) {
         PuzzleGame game = session.game();
         Pose ball = session.pose(game.balls().get(0));
@@ -179,7 +179,7 @@ final class Stage {
                 Canvas.Mood.GHOST);
     }
 
-    /** Draws four corners around what was selected by keys. */
+    /** Draws four corners around the target selected by keys. */
     void drawChosen(Canvas canvas, Target target) {
         if (target instanceof Piece piece) {
             Pose pose = session.pose(piece.body());

@@ -8,10 +8,10 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 
-/** Draws what comes from fans and magnets: streaks of air, and rings that close in on a magnet. */
+/** Draws the effects of fans and magnets: streaks of air, and rings that close in on a magnet. */
 final class Streams {
 
-    /** Streaks beside each other for each metre of a stream's width, and their length, m. */
+    /** Streaks side by side for each metre of a stream's width, and their length, m. */
     private static final double PER_METRE = 5;
 
     private static final double STREAK = 0.45;
@@ -19,10 +19,10 @@ final class Streams {
     /** Speed of the air on the screen, m/s. */
     private static final double SPEED = 4;
 
-    /** Distance between two streaks behind each other, m. */
+    /** Distance between two streaks in a line, m. */
     private static final double PITCH = 1.3;
 
-    /** By the golden ratio neighbours are never abreast. */
+    /** By the golden ratio, neighbouring streaks are never at the same height. */
     private static final double GOLDEN = 0.618034;
 
     private static final double AIR = 0.5;

@@ -32,7 +32,7 @@ public final class Table {
     /** Distance between the ball and its ring, px. */
     private static final double RING_GAP = 8;
 
-    /** Round about the point at which something is clicked, px. */
+    /** Half the size of a target in the description for screen readers, px. */
     private static final double REACH = 22;
 
     private static final OptionalDouble NOWHERE = OptionalDouble.empty();
@@ -51,7 +51,7 @@ public final class Table {
     /** Whether a finger is choosing. */
     private boolean isChoosing;
 
-    /** The game that was on the screen in the last frame. */
+    /** The game on the screen in the last frame. */
     private PuzzleGame seen;
 
     /** The play area of a session, seen by a camera and heard. */
@@ -96,7 +96,7 @@ public final class Table {
         shownPointer = new ShownPointer(camera);
     }
 
-    /** Handles what a show clicked in the last step. */
+    /** Handles the clicks of a show in the last step. */
     private void showClicks(int clicksBefore) {
         List<Act> acts = seen.acts();
         for (Act act : acts.subList(clicksBefore, acts.size())) {
@@ -135,7 +135,7 @@ public final class Table {
         ring.draw(canvas, camera.screenX(pose.x()), camera.screenY(pose.y()), radius, motion);
     }
 
-    /** Shakes the outline of a body that stays as it is, where the click was. */
+    /** Shakes the outline of a refused body at the place of the click. */
     private void drawRefused(Canvas canvas, PuzzleGame game, Motion motion) {
         if (refusal.is(Refusal.Reason.NOT_CLICKABLE)) {
             double aside = refusal.shake(motion);
@@ -146,7 +146,7 @@ public final class Table {
         }
     }
 
-    /** Draws what belongs to the pointer, above everything else: the cooldown and the cross. */
+    /** Draws the pointer's own marks above everything else: the cooldown and the cross. */
     public void drawPointer(Canvas canvas, Motion motion) {
         PuzzleGame game = session.game();
         if (!session.isShowing()) {
@@ -161,8 +161,9 @@ public final class Table {
     }
 
     /**
-     * Draws what a click would do at the pointer; what keys selected shows it itself. Once the game
-     * is over, no click does anything, and the plate that says so would be under the sign.
+     * Draws the sign of a click's action at the pointer; a target selected by keys shows it itself.
+     * After the game is over no click has an effect, and the sign would cover the panel that says
+     * so.
      */
     private void drawVerb(Canvas canvas, PuzzleGame game) {
         if (game.outcome() == Outcome.RUNNING && cursor.chosen(game).isEmpty()) {
@@ -193,7 +194,7 @@ public final class Table {
         }
     }
 
-    /** Where a click meets a rope, as a share of its length. */
+    /** The place at which a click meets a rope, as a share of its length. */
     private static OptionalDouble share(Target target, double x, double y) {
         return target instanceof Link link && link.isRope() && link.isAlive()
                 ? OptionalDouble.of(link.line().share(x, y))
@@ -207,7 +208,7 @@ public final class Table {
         }
     }
 
-    /** Clicks what is selected by keys; returns whether there is something. */
+    /** Clicks the target selected by keys; returns whether there is one. */
     public boolean clickChosen() {
         Optional<Target> chosen = cursor.chosen(session.game());
         if (session.isShowing() || chosen.isEmpty()) {
@@ -243,9 +244,9 @@ public final class Table {
     }
 
     /**
-     * Tells of all that can be clicked, where it is not covered, and of where the level begins.
+     * Describes all uncovered targets, and the level's start, to a screen reader.
      *
-     * @param isCovered whether something lies over a point of the scene, px
+     * @param isCovered whether a panel lies over a point of the scene, px
      */
     public void describe(Narrator narrator, Words words, BiPredicate<Double, Double> isCovered) {
         PuzzleGame game = session.game();
@@ -255,7 +256,7 @@ public final class Table {
             return;
         }
         for (Target target : game.targets()) {
-            // What is gone is nowhere.
+            // Removed targets have no place.
             if (target.isClickable()
                     && !isCovered.test(camera.screenX(target.x()), camera.screenY(target.y()))) {
                 narrator.offers(control(target, names.of(target)));
@@ -280,7 +281,7 @@ public final class Table {
         cursor.point(x, y);
     }
 
-    /** A finger begins or ends to choose. */
+    /** Called when a finger begins or ends to choose. */
     public void choosing(boolean begins) {
         isChoosing = begins;
     }

@@ -16,14 +16,12 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Names of what can be clicked for players who do not see it: what it is, what a click does, and
- * where it lies in plain words.
+ * Names of targets for players who do not see them: the object, the action of a click, and the
+ * place in plain words.
  */
 final class TargetNames {
 
-    /**
-     * Where the middle begins and ends, as shares of the world: legs of a table stand beside it.
-     */
+    /** Ends of the middle, as shares of the world: legs of a table stand beside it. */
     private static final double LEFT_END = 5.0 / 12;
 
     private static final double RIGHT_BEGIN = 7.0 / 12;
@@ -33,13 +31,13 @@ final class TargetNames {
     private final Words words;
     private final PuzzleGame game;
 
-    /** Names in words of what a game shows now. */
+    /** Names in a language, for the present state of a game. */
     TargetNames(Words words, PuzzleGame game) {
         this.words = words;
         this.game = game;
     }
 
-    /** The name of something that can be clicked. */
+    /** The name of a target. */
     String of(Target target) {
         String side = side(target.x());
         List<Target> column =
@@ -57,7 +55,7 @@ final class TargetNames {
                         column.size());
     }
 
-    /** Where ball and platform are at the start. */
+    /** The places of ball and platform at the start. */
     String start() {
         Level level = game.level();
         return words.of(

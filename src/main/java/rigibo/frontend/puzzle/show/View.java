@@ -11,8 +11,8 @@ import rigibo.frontend.scene.Scenery;
 
 /**
  * Fits the play between the bar at the top and the keys at the bottom. Levels leave a margin of
- * their world to these two, in which at most beams hang; anything else that opens below the bar
- * makes the picture smaller, and covers nothing. Two fingers enlarge a part of it.
+ * their world for these two, in which only beams hang. Other panels that open below the bar make
+ * the picture smaller and cover nothing. Two fingers enlarge a part of it.
  */
 public final class View {
 
@@ -27,7 +27,7 @@ public final class View {
 
     private static final double GROUND = 0.4;
 
-    /** Most that the picture is enlarged by: 20 cm are then as wide as a finger on a phone. */
+    /** Greatest enlargement of the picture, at which 20 cm are as wide as a finger on a phone. */
     private static final double MOST = 5;
 
     private final World world;
@@ -36,13 +36,13 @@ public final class View {
     /** Upper edge of the play, px. */
     private double foot = BAR_FOOT;
 
-    /** By what factor the whole picture is enlarged, and what is in the middle of it, world m. */
+    /** Enlargement of the picture, and the point in its middle, world m. */
     private double enlarged = 1;
 
     private double middleX;
     private double middleY;
 
-    /** Height above all that the level shows at its start, m. */
+    /** Empty height above all parts of the level at its start, m. */
     private final double empty;
 
     public View(Level level) {
@@ -63,7 +63,7 @@ public final class View {
         return highest;
     }
 
-    /** What is behind the level: where things fall as slowly as on the Moon, they are there. */
+    /** The scenery behind the level: a moonscape if gravity is about that of the Moon. */
     public Scenery scenery() {
         return world.isOnTheMoon() ? Scenery.MOON : Scenery.WORKSHOP;
     }
@@ -84,12 +84,12 @@ public final class View {
         look();
     }
 
-    /** Whether less than the whole picture is seen. */
+    /** Whether only a part of the picture is visible. */
     public boolean isEnlarged() {
         return enlarged > 1;
     }
 
-    /** Two fingers move or enlarge what is seen, which stays within the whole picture. */
+    /** Moves or enlarges the visible part by two fingers; it stays within the whole picture. */
     public void pinch(Pinch pinch) {
         double next = Math.max(1, Math.min(MOST, enlarged * pinch.factor()));
         camera.pinch(new Pinch(next / enlarged, pinch.x(), pinch.y(), pinch.dx(), pinch.dy()));
@@ -115,7 +115,7 @@ public final class View {
         camera.look(middleX, middleY + aside, scale);
     }
 
-    /** The middle of a part of a length, m, of which the whole picture shows all. */
+    /** The middle of the visible part of a length, m, kept within the whole picture. */
     private double within(double wanted, double middle, double length) {
         double reach = length / 2 * (1 - 1 / enlarged);
         return Math.max(middle - reach, Math.min(middle + reach, wanted));

@@ -5,8 +5,8 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Layout;
 
 /**
- * The water of a level, above the bodies, so that they look submerged. It floods all that the
- * window shows: next to a level it would otherwise stand upright without a wall.
+ * The water of a level, above the bodies, so that they look submerged. It fills the whole width of
+ * the window: at the sides of a level it would otherwise end in an upright edge without a wall.
  */
 final class Water {
 
@@ -15,7 +15,7 @@ final class Water {
 
     private static final double SURFACE = 0.7;
 
-    /** What is deep is a little darker: so many layers of so much opacity, and their height, px. */
+    /** Deep water is a little darker: number of layers, their opacity, and their height, px. */
     private static final int LAYERS = 5;
 
     private static final double DARKER = 0.05;

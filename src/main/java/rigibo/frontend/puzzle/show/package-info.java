@@ -1,5 +1,5 @@
 /**
- * The play itself, as it is seen, heard and pointed at: bodies, marks, particles, rings, cursor and
+ * The play as players see, hear and point at it: bodies, marks, particles, rings, cursor and
  * noises. It observes a session, and only {@code Table} is driven from outside. Lengths in m of the
  * world, or px where a name says so.
  */

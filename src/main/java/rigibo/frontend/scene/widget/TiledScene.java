@@ -6,7 +6,7 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Tap;
 
-/** A scene whose pointer and keys go to its tiles; one that does more with them says so itself. */
+/** A scene whose pointer and keys go to its tiles; overrides what it handles in another way. */
 public interface TiledScene extends Scene {
 
     /** Its tiles at present. */

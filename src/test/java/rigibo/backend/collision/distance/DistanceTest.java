@@ -23,7 +23,7 @@ class DistanceTest {
 
     private final Distance distance = new Distance();
 
-    /** Corner (½, ½) to a disc's centre on a 3-4-5 triangle. */
+    /** The corner (½, ½) and a disc's centre, on a 3-4-5 triangle. */
     @Test
     void witnessPointsLieOnBothOutlines() {
         double gap =
@@ -40,7 +40,7 @@ class DistanceTest {
         assertThat(distance.pointBY).isEqualTo(0.9 - 0.8 * 0.25, within(ROUND_OFF));
     }
 
-    /** However near parallel two faces are, and whichever comes first: no bias. */
+    /** Distances have no bias, however nearly parallel two faces are and in either order. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2})
     void distanceIsExactWhereFacesAreNearlyParallel(long seed) {
@@ -62,7 +62,10 @@ class DistanceTest {
         }
     }
 
-    /** Hundreds of short edges, where walking from corner to corner must not stop too soon. */
+    /**
+     * Polygons of hundreds of short edges, where a search from corner to corner must not stop too
+     * soon.
+     */
     @ParameterizedTest
     @ValueSource(longs = {3, 4})
     void distanceOfManySidedPolygonsIsExact(long seed) {
@@ -101,7 +104,7 @@ class DistanceTest {
 
     /**
      * Any two polygons, moved along the axis between them until they nearly touch or barely
-     * overlap: corners that pass each other are where a face is easily taken for the nearest.
+     * overlap. Where corners pass each other, a face is easily mistaken for the nearest feature.
      */
     @ParameterizedTest
     @ValueSource(longs = {6, 7, 8})

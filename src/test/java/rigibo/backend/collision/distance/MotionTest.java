@@ -60,8 +60,8 @@ class MotionTest {
     }
 
     /**
-     * To first order in k the way without drag loses k(v₀τ²/2 + aτ³/6). The closed form would lose
-     * its digits here: τ − E₁ cancels.
+     * To first order in k, drag shortens the path by k(v₀τ²/2 + aτ³/6). The closed form would lose
+     * its digits here, since τ − E₁ cancels.
      */
     @ParameterizedTest
     @ValueSource(doubles = {1e-300, 1e-15, 1e-12, 1e-9, 1e-6})
@@ -69,11 +69,11 @@ class MotionTest {
         double without = at(thrown(0), 0.75).y;
         double lost = drag * (9 * 0.125 - 9.81 / 48);
 
-        // What follows is second order in k; the first figure is round-off.
+        // The rest is of second order in k; the first figure is round-off.
         assertThat(at(thrown(drag), 0.75).y).isEqualTo(without - lost, within(2e-15 + drag * drag));
     }
 
-    /** On either side of where the series gives way to the closed form. */
+    /** On either side of the limit between the series and the closed form. */
     @Test
     void pathIsContinuousInTheDrag() {
         double drag = 2.0 / 16;

@@ -13,7 +13,7 @@ public final class Motions {
 
     private Motions() {}
 
-    /** At rest at time 0. */
+    /** A motion at rest at time 0. */
     public static Motion resting(Shape shape, double x, double y, double angle) {
         Motion motion = new Motion();
         motion.outline = shape.outline(0);
@@ -23,7 +23,7 @@ public final class Motions {
         return motion;
     }
 
-    /** In straight, even motion from time 0 on. */
+    /** A straight, uniform motion from time 0 on. */
     public static Motion moving(
             Shape shape, double x, double y, double velocityX, double velocityY) {
         Motion motion = resting(shape, x, y, 0);
@@ -32,7 +32,9 @@ public final class Motions {
         return motion;
     }
 
-    /** Anything within 3 m of the origin: with and without spin, gravity, drag, a torque. */
+    /**
+     * A random motion within 3 m of the origin: with and without spin, gravity, drag, and torque.
+     */
     public static Motion any(Random random, double speed, double spin) {
         Motion motion =
                 moving(
@@ -49,14 +51,14 @@ public final class Motions {
         return motion;
     }
 
-    /** Discs, and what has edges, of 0.1 to 2 m. */
+    /** A disc, or a shape with edges, of 0.1 to 2 m. */
     public static Shape anyShape(Random random) {
         return random.nextInt(6) == 0
                 ? new Circle(between(random, 0.05, 1))
                 : anyShapeWithEdges(random);
     }
 
-    /** Capsules, boxes, rods, triangles and polygons of 0.1 to 2 m, sharp and rounded. */
+    /** A capsule, box, rod, triangle or polygon of 0.1 to 2 m, sharp or rounded. */
     public static Shape anyShapeWithEdges(Random random) {
         Polygon sharp = anyPolygon(random);
         return switch (random.nextInt(4)) {

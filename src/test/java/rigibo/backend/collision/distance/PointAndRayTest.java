@@ -69,7 +69,7 @@ class PointAndRayTest {
                 .isEqualTo(PointAndRay.MISS);
     }
 
-    /** Radius 5 about the origin, a line at height 3: it enters at x = −4. */
+    /** A disc of radius 5 about the origin and a line at height 3: the ray enters at x = −4. */
     @Test
     void rayEntersADisc() {
         double fraction = query.enters(new Circle(5).outline(), pose(0, 0, 2), -10, 3, 10, 3);
@@ -79,7 +79,7 @@ class PointAndRayTest {
         assertThat(query.normalY).isEqualTo(0.6, within(ROUND_OFF));
     }
 
-    /** From 10⁶ m away: the ray passes the centre at 0.06 m and enters 0.08 m before it. */
+    /** A ray from 10⁶ m away passes the centre at 0.06 m and enters 0.08 m before it. */
     @Test
     void rayFromFarAwayEntersASmallDisc() {
         double fraction =
@@ -91,9 +91,9 @@ class PointAndRayTest {
     }
 
     /**
-     * From 10¹⁴ m away, where coordinates are 1/64 m apart, which is 0.03 of the radius: so
-     * uncertain is where the disc is met, 0.3 of the radius beside its centre, but not how long the
-     * normal is.
+     * A ray from 10¹⁴ m away, where coordinates are 1/64 m apart, which is 0.03 of the radius. It
+     * passes the centre at 0.3 of the radius. The place of the hit is uncertain by as much, the
+     * length of the normal is not.
      */
     @Test
     void normalHasLengthOneHoweverFarTheRayBegins() {
@@ -104,7 +104,7 @@ class PointAndRayTest {
         assertThat(query.normalX).isNegative();
     }
 
-    /** Squares of 10²⁰⁰ are infinite; coordinates of it are allowed. */
+    /** The square of 10²⁰⁰ is infinite, yet such coordinates are allowed. */
     @Test
     void rayMeetsADiscFromWherePlacesHaveNoSquare() {
         double fraction =
@@ -114,7 +114,7 @@ class PointAndRayTest {
         assertThat(query.normalX).isEqualTo(-1, within(ROUND_OFF));
     }
 
-    /** At 0.1 m beside its line the end cap begins √(0.2² − 0.1²) before the end of the line. */
+    /** At 0.1 m beside its line, the end cap begins √(0.2² − 0.1²) before the end of the line. */
     @Test
     void aRayEntersACapsuleAtItsEndAndAtItsSide() {
         Capsule capsule = new Capsule(0.5, 0.2);

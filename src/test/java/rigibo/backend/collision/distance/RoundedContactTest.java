@@ -23,14 +23,14 @@ import rigibo.backend.setup.ImpactSearch;
 
 import java.util.Random;
 
-/** Contacts of what is round at its corners, against closed forms. */
+/** Contacts of shapes with round corners, compared with closed forms. */
 class RoundedContactTest {
 
     private static final double ROUND_OFF = 1e-14;
 
     private final Capsule capsule = new Capsule(0.5, 0.2);
 
-    /** End to end no face parts the cores, which are 1.5 − 2·½ apart, and the gap is 0.1 m. */
+    /** End to end, no face separates the cores, whose distance is 1.5 − 2·½; the gap is 0.1 m. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.3, 1, Math.PI / 2, 2.5, Math.PI})
     void capsulesInOneLineMeetEndToEnd(double angle) {
@@ -51,9 +51,9 @@ class RoundedContactTest {
     }
 
     /**
-     * Two capsules nearly side by side, which are nearest at their left ends: the right end, which
-     * is to land when they turn, is a point as well, as high as it lies over the other's core less
-     * both radii. Over which core, makes a difference of the cosine of the angle between them.
+     * Two capsules nearly side by side, nearest at their left ends. The right end will land when
+     * they turn, so it is a point as well: its gap is its height over the other's core, less both
+     * radii. The two cores' heights differ by the cosine of the angle between them.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0.08, 0.12, 0.2})
@@ -82,7 +82,7 @@ class RoundedContactTest {
         assertThat(meeting.manifold.normalX).isEqualTo(1);
     }
 
-    /** A capsule that lies on a floor stands on both ends of its core; one on its end, on one. */
+    /** A lying capsule stands on both ends of its core; an upright one, on one end. */
     @Test
     void aCapsuleLiesOnTwoPointsAndStandsOnOne() {
         Polygon floor = Polygon.box(10, 1);
@@ -103,7 +103,7 @@ class RoundedContactTest {
         assertThat(one.separation[0]).isEqualTo(0, within(ROUND_OFF));
     }
 
-    /** Where shapes are equal, bits are. */
+    /** Equal shapes give equal bits. */
     @Test
     void aCapsuleWithoutLengthIsADisc() {
         Random random = new Random(1);
@@ -124,8 +124,8 @@ class RoundedContactTest {
     }
 
     /**
-     * A capsule that turns at ω above a floor: the height of the end that comes down is y −
-     * h·sin(ωt) − r, so it touches when sin(ωt) = (y − r)/h.
+     * A capsule turns at ω above a floor. The lower end is at the height y − h·sin(ωt) − r, so it
+     * touches when sin(ωt) = (y − r)/h.
      */
     @Test
     void aTurningCapsuleTouchesTheFloorInTime() {
@@ -139,7 +139,7 @@ class RoundedContactTest {
         assertThat(time).isEqualTo(truth, within(1e-9));
     }
 
-    /** Square on square, corner to corner: √2·(1 − ½ − ½) of the cores less both radii. */
+    /** Squares corner to corner: the cores' distance √2·(1 − ½ − ½), less both radii. */
     @Test
     void roundCornersAreNearerThanTheirCores() {
         Polygon square = Polygon.box(1, 1).rounded(0.1);

@@ -21,7 +21,7 @@ import rigibo.backend.setup.ImpactSearch;
 
 import java.util.Random;
 
-/** Impacts without a closed form, checked by dense sampling, and what finding them costs. */
+/** Impacts without a closed form, checked by dense sampling, and the number of evaluations. */
 class TimeOfImpactSearchTest {
 
     private static final int SAMPLES = 300;
@@ -30,7 +30,7 @@ class TimeOfImpactSearchTest {
 
     /**
      * A rod of 2 m turns by 80° in the step, touches a plate on the way and is clear again at the
-     * end. The truth is sampled here: the first of a million instants at which the two overlap.
+     * end. Sampling gives the truth: the first of a million times at which the two overlap.
      */
     @ParameterizedTest
     @EnumSource(ImpactSearch.class)
@@ -53,9 +53,10 @@ class TimeOfImpactSearchTest {
     }
 
     /**
-     * Any two shapes, spun up to 200 rad/s and thrown up to 1000 m/s: before the time found the gap
-     * never falls below the stopping gap, and at that time it is the stopping gap. For a disc and
-     * what does not turn that is eight roundings of the coordinates, give or take one.
+     * Any two shapes, with spins up to 200 rad/s and speeds up to 1000 m/s. Before the time found,
+     * the gap never falls below the stopping gap, and at that time it equals it. For a disc and a
+     * shape that does not turn, the stopping gap is eight roundings of the coordinates, give or
+     * take one.
      */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
@@ -76,7 +77,7 @@ class TimeOfImpactSearchTest {
     }
 
     /**
-     * Polygons that turn many times in a step, as small ones do that large ones have struck at
+     * Polygons that turn many times in a step, like small ones that large ones have struck at
      * hundreds of metres a second.
      */
     @ParameterizedTest
@@ -94,8 +95,8 @@ class TimeOfImpactSearchTest {
     }
 
     /**
-     * A triangle that turns 25 times within the step flies away from the corner of a hexagon: a
-     * look along its face over many turns would say nothing of the first.
+     * A triangle that turns 25 times within the step flies away from the corner of a hexagon. The
+     * bound along its face is useless over many turns.
      */
     @Test
     void whatFliesAwayWhileItTurnsIsClearSoon() {
@@ -112,7 +113,7 @@ class TimeOfImpactSearchTest {
     private void check(Motion a, Motion b, double end, double tolerance, String where) {
         double time = impact.find(a, b, 0, end, tolerance, ImpactSearch.ITP);
         double scaled = tolerance * width(a, b);
-        // What a gap must have to be told from none: four units in the last place.
+        // Smallest gap that differs from none: four units in the last place.
         double rounding = 4 * Math.ulp(Math.max(farthest(a), farthest(b)));
         double least = isOfDisc(a, b) ? 7 * rounding : scaled / 8 - rounding;
         assertThat(impact.isConservative).as(where).isFalse();
@@ -127,12 +128,12 @@ class TimeOfImpactSearchTest {
         }
     }
 
-    /** That of the narrower shape, which the tolerance scales with, m. */
+    /** Width of the narrower shape, with which the tolerance scales, m. */
     private static double width(Motion a, Motion b) {
         return Math.min(a.outline.smallestWidth(), b.outline.smallestWidth());
     }
 
-    /** Whether the two meet in one point only, wherever they do. */
+    /** Whether the two meet in a single point, wherever they meet. */
     private static boolean isOfDisc(Motion a, Motion b) {
         return a.outline.isDisc() && !b.isTurning() || b.outline.isDisc() && !a.isTurning();
     }
@@ -141,7 +142,9 @@ class TimeOfImpactSearchTest {
         return Math.max(Math.abs(of.x), Math.abs(of.y)) + of.outline.boundingRadius();
     }
 
-    /** Aimed at a wall that they cannot pass by, all bullets hit: closed form for a disc. */
+    /**
+     * Ten thousand bullets aimed at a wall all hit it, at the time of the closed form for a disc.
+     */
     @Test
     void noneOfTenThousandBulletsGoesThroughAWall() {
         long seed = 40;
@@ -162,9 +165,7 @@ class TimeOfImpactSearchTest {
         }
     }
 
-    /**
-     * Boxes, rods and triangles that tumble while they fly: whatever side comes first, they hit.
-     */
+    /** Boxes, rods and triangles that tumble in flight all hit the wall, with whatever side. */
     @Test
     void noneOfTenThousandTumblingBulletsGoesThroughAWall() {
         long seed = 41;
@@ -186,7 +187,7 @@ class TimeOfImpactSearchTest {
         }
     }
 
-    /** Exchanging A and B changes nothing but round-off. */
+    /** Exchanging A and B changes the time by round-off only. */
     @Test
     void theOrderOfThePairDoesNotMatter() {
         long seed = 42;
@@ -201,7 +202,8 @@ class TimeOfImpactSearchTest {
                 String where = "seed " + seed + ", pair " + i;
                 assertThat(Double.isInfinite(exchanged)).as(where).isEqualTo(time > 1);
                 if (time < 1) {
-                    // Both stop in the same window of gaps, and speed turns that into time.
+                    // Both searches stop in the same range of gaps; the speed converts that into
+                    // time.
                     double least = isOfDisc(a, b) ? Double.MIN_VALUE : 1e-9;
                     assertThat(gap(a, b, exchanged)).as(where).isBetween(least, 0.26 * scaled);
                 }
@@ -209,7 +211,9 @@ class TimeOfImpactSearchTest {
         }
     }
 
-    /** From 83 mm ahead to a window of 10⁻¹⁰ m, halving takes some 30 looks; ITP far fewer. */
+    /**
+     * From 83 mm to a range of 10⁻¹⁰ m, bisection takes some 30 evaluations; ITP takes far fewer.
+     */
     @Test
     void interpolationNeedsFewLooks() {
         Motion floor = resting(Polygon.box(40, 1), 0, -0.5, 0);
@@ -225,7 +229,9 @@ class TimeOfImpactSearchTest {
         assertThat(byHalving).isBetween(20, 40);
     }
 
-    /** Halving pays about one look for a factor of 2: ten more for a tolerance 1000 times finer. */
+    /**
+     * Bisection takes one evaluation for a factor of 2: ten more for a tolerance 1000 times finer.
+     */
     @Test
     void aFinerToleranceCostsHalvings() {
         Motion floor = resting(Polygon.box(40, 1), 0, -0.5, 0);
@@ -240,7 +246,7 @@ class TimeOfImpactSearchTest {
         assertThat(fine - coarse).isBetween(6, 14);
     }
 
-    /** On average over all sorts of hits: a sudden rise is a defect before it is a slow game. */
+    /** The average over all kinds of hits; a sudden rise is a defect before it is a slow game. */
     @Test
     void looksPerHitStayFew() {
         long seed = 43;

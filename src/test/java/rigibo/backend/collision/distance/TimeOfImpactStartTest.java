@@ -21,7 +21,7 @@ class TimeOfImpactStartTest {
     private static final double TOLERANCE = 1e-4;
     private static final double STEP = 1.0 / 60;
 
-    /** A tenth of the tolerance: closer than any pair is brought by an impact. */
+    /** A tenth of the tolerance: closer than any impact brings a pair. */
     private static final double CLOSE = 1e-5;
 
     /** Four units in the last place of the floor's ends, at 20 m. */
@@ -69,7 +69,7 @@ class TimeOfImpactStartTest {
         assertThat(gap(floor, disc, time)).isBetween(7 * ROUNDING, 9 * ROUNDING);
     }
 
-    /** Thrown up at 0.05 m/s it is back after 2v/g = 10.2 ms. */
+    /** A disc thrown up at 0.05 m/s is back after 2v/g = 10.2 ms. */
     @Test
     void closePairThatReturnsIsReported() {
         Motion disc = discAt(CLOSE, 0.05);
@@ -77,7 +77,7 @@ class TimeOfImpactStartTest {
 
         double time = find(disc);
 
-        // Half of the 10 micrometres it started with is left, at 0.05 m/s.
+        // Half of the first gap of 10 µm is left, at 0.05 m/s.
         assertThat(time).isEqualTo(2 * 0.05 / 9.81, within(CLOSE / 0.05));
         assertThat(gap(floor, disc, time)).isPositive();
     }
@@ -106,8 +106,8 @@ class TimeOfImpactStartTest {
     }
 
     /**
-     * A box that falls beside one that stands meets nothing, though their common face is upright
-     * only up to round-off: 10⁻¹⁶ of its weight would press.
+     * A box that falls beside a standing one does not meet it, though their common face is upright
+     * only to round-off: 10⁻¹⁶ of its weight would press.
      */
     @ParameterizedTest
     @ValueSource(doubles = {1e-16, -1e-16})
@@ -120,7 +120,10 @@ class TimeOfImpactStartTest {
                 .isEqualTo(TimeOfImpact.NEVER);
     }
 
-    /** What lies in overlap and is lifted off comes back as deep at most by the tolerance more. */
+    /**
+     * A body lifted out of an overlap is reported when it comes back, deeper by at most the
+     * tolerance.
+     */
     @Test
     void overlapThatReturnsIsReported() {
         Motion disc = discAt(-CLOSE, 0.05);
@@ -132,7 +135,7 @@ class TimeOfImpactStartTest {
         assertThat(gap(floor, disc, time)).isGreaterThan(-CLOSE - TOLERANCE);
     }
 
-    /** Concentric discs have no direction of their own; nothing may be NaN, nothing may hang. */
+    /** Concentric discs have no direction; the search must end, and no value may be NaN. */
     @Test
     void concentricDiscsGiveAnAnswer() {
         Motion a = resting(new Circle(1), 0, 0, 0);
@@ -143,8 +146,8 @@ class TimeOfImpactStartTest {
     }
 
     /**
-     * A rod that turns about its middle, flat on a disc: its ends move along the normal, the point
-     * of touch does not, so that nothing closes.
+     * A rod turns about its middle, flat on a disc. Its ends move along the normal, but its point
+     * of contact does not, so that the gap does not close.
      */
     @Test
     void turningRodThatTouchesAtItsMiddleDoesNotClose() {

@@ -28,12 +28,12 @@ class TimeOfImpactTest {
         return impact.find(a, b, 0, end, tolerance, ImpactSearch.ITP);
     }
 
-    /** What a gap must have to be told from none, m: four units in the last place. */
+    /** Smallest gap that differs from none, m: four units in the last place. */
     private static double rounding(double farthest) {
         return 4 * Math.ulp(farthest);
     }
 
-    /** Two discs of 0.1 m, 2 m apart at 400 m/s: they touch after 1.8/400 s. */
+    /** Two discs of 0.1 m, 2 m apart, close at 400 m/s and touch after 1.8/400 s. */
     @Test
     void bulletsMeetHeadOn() {
         Motion a = moving(new Circle(0.1), -1, 0, 200, 0);
@@ -41,12 +41,15 @@ class TimeOfImpactTest {
 
         double time = find(a, b, STEP, FINEST);
 
-        // Coordinates go to 1.1 m: nine roundings are 8e-15 m, which 400 m/s cross in 2e-17 s.
+        // Coordinates are up to 1.1 m: nine roundings are 8e-15 m, which 400 m/s cross in 2e-17 s.
         assertThat(time).isEqualTo(1.8 / 400, within(1e-16));
         assertThat(gap(a, b, time)).isBetween(7 * rounding(1.1), 9 * rounding(1.1));
     }
 
-    /** Passing at an offset of one radius: the centres are 0.2 m apart when √3/2 · 0.2 ahead. */
+    /**
+     * Two discs pass at an offset of one radius: their centres are 0.2 m apart when one is √3/2 ·
+     * 0.2 ahead.
+     */
     @Test
     void bulletsMeetOffCentre() {
         Motion a = moving(new Circle(0.1), -1, 0, 200, 0);
@@ -67,12 +70,12 @@ class TimeOfImpactTest {
 
         double time = impact.find(floor, disc, 0, STEP, FINEST, search);
 
-        // The floor goes to 20 m: nine roundings are 1.3e-13 m, crossed at 0.14 m/s in 9e-13 s.
+        // The floor extends to 20 m: nine roundings are 1.3e-13 m, crossed at 0.14 m/s in 9e-13 s.
         assertThat(time).isEqualTo(Math.sqrt(2 * 0.001 / 9.81), within(1e-12));
         assertThat(gap(floor, disc, time)).isBetween(7 * rounding(20), 9 * rounding(20));
     }
 
-    /** With drag k the way is v(1 − e^(−kt))/k, so that 0.5 m take −ln(1 − 0.5k/v)/k. */
+    /** With drag k the displacement is v(1 − e^(−kt))/k, so 0.5 m take −ln(1 − 0.5k/v)/k. */
     @Test
     void dragDelaysAnImpact() {
         Motion wall = resting(Polygon.box(1, 1), 2, 0, 0);
@@ -85,7 +88,7 @@ class TimeOfImpactTest {
     }
 
     /**
-     * Box of 1 m turning about its centre, which is 0.7 m from a wall: the corner, √½ from the
+     * A box of 1 m turns about its centre, which is 0.7 m from a wall. Its corner, √½ from the
      * centre, starts at 45° + 20° and reaches 0.7 m at arccos(0.7/√½) from the wall's normal.
      */
     @Test
@@ -100,7 +103,9 @@ class TimeOfImpactTest {
         assertThat(find(wall, box, 0.1, FINEST)).isEqualTo(truth, within(FINEST / 4 / closing));
     }
 
-    /** The wall is passed within half a microsecond; at both ends of the step all is clear. */
+    /**
+     * The bullet passes the wall within half a microsecond; at both ends of the step it is clear.
+     */
     @Test
     void fastBulletMeetsAThinWall() {
         Motion wall = resting(Polygon.box(0.001, 2), 10, 0, 0);
@@ -112,7 +117,10 @@ class TimeOfImpactTest {
         assertThat(find(wall, bullet, 1.0 / 30, 1e-4)).isEqualTo(truth, within(1e-7 / 4 / 2000));
     }
 
-    /** Disc of 0.1 m past the corner of a box at 100 m/s, a tenth of a millimetre clear or not. */
+    /**
+     * A disc of 0.1 m passes the corner of a box at 100 m/s, clear of it by a tenth of a
+     * millimetre.
+     */
     @Test
     void grazingDiscMissesByATenthOfAMillimetre() {
         Motion box = resting(Polygon.box(1, 1), 0, 0, 0);
@@ -123,7 +131,9 @@ class TimeOfImpactTest {
                 .isEqualTo(TimeOfImpact.NEVER);
     }
 
-    /** At 0.5999 m the corner is met √(0.1² − 0.0999²) before the centre passes it. */
+    /**
+     * With the centre at 0.5999 m the disc meets the corner √(0.1² − 0.0999²) before it passes it.
+     */
     @Test
     void grazingDiscHitsByATenthOfAMillimetre() {
         Motion box = resting(Polygon.box(1, 1), 0, 0, 0);
@@ -147,8 +157,8 @@ class TimeOfImpactTest {
     }
 
     /**
-     * Squares on their corners: with an offset δ a corner meets a face of 45°, when the centres are
-     * √2 − |δ| apart.
+     * Squares stand on their corners. With an offset δ a corner meets a face of 45° when the
+     * centres are √2 − |δ| apart.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 1e-9, -1e-9, 1e-4, -1e-4})
@@ -159,11 +169,14 @@ class TimeOfImpactTest {
 
         double truth = (1.5 - Math.sqrt(2) + Math.abs(offset)) / 10;
 
-        // The gap closes at 10/√2 m/s or faster.
+        // The gap closes at 10/√2 m/s or more.
         assertThat(find(lower, upper, STEP, FINEST)).isEqualTo(truth, within(FINEST / 4 / 7));
     }
 
-    /** What does not turn meets a disc in one point: the tolerance has no say in when. */
+    /**
+     * A shape that does not turn meets a disc in one point: the time does not depend on the
+     * tolerance.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {1e-3, 1e-4, 1e-6, 1e-9})
     void discIsMetAsExactlyAtAnyTolerance(double tolerance) {
@@ -173,11 +186,14 @@ class TimeOfImpactTest {
 
         double truth = (Math.sqrt(25 + 2 * 9.81 * 0.05) - 5) / 9.81;
 
-        // Coordinates go to 1.6 m: nine roundings, 8e-15 m, at 5 m/s, and those of the truth.
+        // Coordinates are up to 1.6 m: nine roundings, 8e-15 m, at 5 m/s, and those of the truth.
         assertThat(find(floor, disc, STEP, tolerance)).isEqualTo(truth, within(1e-14));
     }
 
-    /** A box may meet with any corner: it stops in the middle of the stopping gap, a fifth. */
+    /**
+     * A box may meet with any corner: it stops in the middle of the range, at a fifth of the
+     * tolerance.
+     */
     @Test
     void boxIsMetAFifthOfTheToleranceBefore() {
         Motion floor = resting(Polygon.box(40, 1), 0, -0.5, 0);
@@ -187,8 +203,8 @@ class TimeOfImpactTest {
     }
 
     /**
-     * A corner that turns by 20 rad/s closes ever slower. A first Newton step over up to 0.05 mm is
-     * off by 20²·0.7·(0.05 mm/2 m/s)²/2 = 9·10⁻⁸ m, a second one by that relative to 0.1 m,
+     * A corner that turns at 20 rad/s closes ever slower. A first Newton step over up to 0.05 mm
+     * errs by 20²·0.7·(0.05 mm/2 m/s)²/2 = 9·10⁻⁸ m, a second one by that relative to 0.1 m,
      * squared.
      */
     @Test
@@ -208,9 +224,7 @@ class TimeOfImpactTest {
         assertThat(find(floor, box, STEP, FINEST)).isEqualTo(0.01, within(FINEST / 4 / 5));
     }
 
-    /**
-     * Where size and speed are multiplied alike everything happens at the same times, to the bit.
-     */
+    /** Multiplying sizes and speeds by one factor changes no time, to the bit. */
     @ParameterizedTest
     @ValueSource(doubles = {1.0 / 64, 64, 4096})
     void scaleDoesNotChangeTheTime(double size) {
@@ -229,8 +243,8 @@ class TimeOfImpactTest {
     }
 
     /**
-     * At 10⁷ m coordinates are 2·10⁻⁹ m apart, so that the stopping gap of four of them counts
-     * instead of the tolerance.
+     * At 10⁷ m coordinates are 2·10⁻⁹ m apart, so the stopping gap is four of these instead of a
+     * share of the tolerance.
      */
     @Test
     void farFromTheOriginTheStoppingGapIsWhatCoordinatesCanTell() {
@@ -253,9 +267,9 @@ class TimeOfImpactTest {
     }
 
     /**
-     * A heptagon as it passes a disc at 2,900 m/s and spins at two million rad/s: its way is 9 mm
-     * off the disc's centre, twice as far as both reach. Each look saw a bit farther only, however
-     * far it had gone, and the last was taken for a hit 40 m away.
+     * A heptagon passes a disc at 2,900 m/s and spins at two million rad/s. Its path is 9 mm off
+     * the disc's centre, twice as far as both extend. Once, each round advanced only a little,
+     * however far the heptagon had gone, and the last one was reported as a hit 40 m away.
      */
     @Test
     void whatHasPassedIsNotLookedAtAnyMore() {

@@ -11,7 +11,7 @@ import java.util.SplittableRandom;
 
 /**
  * Two capsules one behind the other, nearly in one line. Their gap is the distance of the round
- * ends: with ends at (d, y) from each other it is √(d² + y²) − 2r, whatever the tilt of the lines.
+ * ends: if these differ by (d, y), it is √(d² + y²) − 2r, whatever the tilt of the lines.
  */
 class CapsulesInLineTest {
 
@@ -31,7 +31,7 @@ class CapsulesInLineTest {
             double tilt = off * (2 * random.nextDouble() - 1);
             double apart = 0.2 + 0.2 * random.nextDouble();
             double aside = off * (2 * random.nextDouble() - 1);
-            // The end of A is the origin; B's near end is at (apart, aside), before all is turned.
+            // The end of A is the origin; B's near end is at (apart, aside), before all is rotated.
             double x = apart + HALF * Math.cos(tilt);
             double y = aside + HALF * Math.sin(tilt);
             double cos = Math.cos(turn);

@@ -17,7 +17,7 @@ class CircleCircleTest {
         return new Meeting(new Circle(1), pose(0, 0, 0), new Circle(0.5), pose(x, y, 1));
     }
 
-    /** Centres 5 m apart on a 3-4-5 triangle. */
+    /** The centres are 5 m apart, on a 3-4-5 triangle. */
     @Test
     void gapIsTheCentresDistanceLessTheRadii() {
         Manifold manifold = discs(3, 4).within(10);
@@ -47,7 +47,7 @@ class CircleCircleTest {
         assertThat(discs(2, 0).within(0.5).count).isEqualTo(1);
     }
 
-    /** There is no direction to prefer, but there must be one, the same every time. */
+    /** No direction is preferred, but there must be one, and always the same. */
     @Test
     void concentricDiscsHaveAnAxis() {
         Manifold manifold = discs(0, 0).within(0);
@@ -57,7 +57,7 @@ class CircleCircleTest {
         assertThat(manifold.normalY).isEqualTo(1);
     }
 
-    /** One step of a double apart. */
+    /** The centres are one step of a double apart. */
     @Test
     void nearlyConcentricDiscsHaveAUnitNormal() {
         Manifold manifold = discs(Double.MIN_NORMAL, 0).within(0);

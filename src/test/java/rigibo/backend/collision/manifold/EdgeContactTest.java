@@ -14,7 +14,7 @@ import rigibo.backend.geometry.Polygon;
 
 import java.util.SplittableRandom;
 
-/** A box and a ridge, whose top is the origin and whose flanks fall by any slope. */
+/** A box on a ridge, whose top is the origin and whose flanks have any slope. */
 class EdgeContactTest {
 
     private static final int RIGHT = 0;
@@ -37,14 +37,14 @@ class EdgeContactTest {
     }
 
     /**
-     * A box that lies on the right flank, beyond its top, is behind the left one, and touches
-     * nothing of it.
+     * A box on the right flank, beyond the top, is behind the left flank and has no contact with
+     * it.
      */
     @Test
     void nobodyIsPushedThroughARidgeBySomethingBehindIt() {
         double slope = 3;
         double length = Math.sqrt(1 + slope * slope);
-        // 0.3 m down the flank, and half the height of 0.5 m and a gap of 0.01 m off it.
+        // 0.3 m down the flank; half the height of 0.5 m and a gap of 0.01 m from its surface.
         double x = (0.3 + 0.26 * slope) / length;
         double y = (-0.3 * slope + 0.26) / length;
         Pose lying = Meeting.pose(x, y, -Math.atan(slope));
@@ -54,7 +54,7 @@ class EdgeContactTest {
         assertThat(meet(ridge(slope), LEFT, lying).count).isZero();
     }
 
-    /** What does not overlap the matter under both flanks has no contact that overlaps. */
+    /** A box that does not overlap the matter under both flanks has no contact that overlaps. */
     @ParameterizedTest
     @ValueSource(doubles = {0.1, 0.7, 1.5, 3, 8})
     void noContactOverlapsWhereNothingDoes(double slope) {
@@ -87,9 +87,9 @@ class EdgeContactTest {
     }
 
     /**
-     * What lies on one flank and has sunk in by a hair, turned by as little, is not pushed through
-     * the ridge by the other one: no contact overlaps by more than the outline has sunk in, but for
-     * the corners of a box, which sink in √2 times as deep as its sides.
+     * A shape on one flank that has sunk in by a hair, and is turned by as little, is not pushed
+     * through the ridge by the other flank. No contact overlaps by more than the shape has sunk in,
+     * times √2 for the corners of a box.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0.1, 0.4, 0.7, 1.5, 3, 8})
@@ -114,7 +114,7 @@ class EdgeContactTest {
                             along * Math.cos(flank) + above * Math.sin(flank),
                             -along * Math.sin(flank) + above * Math.cos(flank),
                             turn - flank);
-            // Turning sinks an end of 0.7 m in by at most 0.7 · 2e-3 m.
+            // Turning lowers an end at 0.7 m by at most 0.7 · 2e-3 m.
             double most = Math.sqrt(2) * (sunk + 0.7 * Math.abs(turn));
             for (int edge = RIGHT; edge <= LEFT; edge++) {
                 collider.collide(

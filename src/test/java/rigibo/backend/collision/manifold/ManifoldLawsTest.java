@@ -21,7 +21,7 @@ import rigibo.backend.geometry.Shape;
 
 import java.util.Random;
 
-/** What holds for the manifold of any two shapes. */
+/** Laws of the manifold of any two shapes. */
 class ManifoldLawsTest {
 
     private static final int MEETINGS = 5000;
@@ -30,7 +30,10 @@ class ManifoldLawsTest {
         return new Meeting(anyShape(random), anyPose(random), anyShape(random), anyPose(random));
     }
 
-    /** Some at multiples of 45°, where edges are parallel or corners face each other. */
+    /**
+     * A random pose; some angles are multiples of 45°, where edges are parallel or corners face
+     * each other.
+     */
     private static Pose anyPose(Random random) {
         double angle =
                 random.nextInt(3) == 0 ? Math.PI / 4 * random.nextInt(8) : between(random, 0, 7);
@@ -38,8 +41,9 @@ class ManifoldLawsTest {
     }
 
     /**
-     * The gap is that of brute force. Overlap too: the least way out is along a face's normal. Near
-     * parallel faces may differ by the bias towards A's, a ten-thousandth of the width.
+     * The gap equals that of a search of all features, also in overlap, where the shortest way out
+     * is along a face's normal. Nearly parallel faces may differ by the bias towards A's, a
+     * ten-thousandth of the width.
      */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
@@ -66,7 +70,7 @@ class ManifoldLawsTest {
         }
     }
 
-    /** Along the normal no point of A is farther than the gap allows. */
+    /** Along the normal, no point of A is beyond B by more than the gap allows. */
     @ParameterizedTest
     @ValueSource(longs = {4, 5})
     void normalSeparatesTheShapes(long seed) {
@@ -101,8 +105,8 @@ class ManifoldLawsTest {
     }
 
     /**
-     * A and B exchanged: the same gap and, where only one axis is shortest, the opposite normal. Of
-     * parallel faces A's is taken, up to a hundredth of a radian from B's.
+     * Exchanging A and B gives the same gap and, where a single axis is shortest, the opposite
+     * normal. Of parallel faces A's is taken, up to a hundredth of a radian from B's.
      */
     @ParameterizedTest
     @ValueSource(longs = {6, 7})
@@ -123,7 +127,7 @@ class ManifoldLawsTest {
         }
     }
 
-    /** Everything in 1/64 of the size gives 1/64 of every length, to the bit. */
+    /** At 1/64 of the size every length is 1/64, to the bit. */
     @Test
     void scaleChangesLengthsAlone() {
         long seed = 8;
@@ -175,7 +179,7 @@ class ManifoldLawsTest {
         return scaled;
     }
 
-    /** Boxes mirrored at the y axis: the mirrored manifold, to the bit. */
+    /** Boxes mirrored at the y axis give the mirrored manifold, to the bit. */
     @Test
     void mirrorImageIsExact() {
         long seed = 9;
@@ -210,9 +214,7 @@ class ManifoldLawsTest {
         return mirrored;
     }
 
-    /**
-     * At 10⁹ m coordinates are 1.2·10⁻⁷ m apart; between coordinates that exist nothing is lost.
-     */
+    /** At 10⁹ m coordinates are 1.2·10⁻⁷ m apart; poses on such coordinates lose nothing. */
     @Test
     void farFromTheOriginTheManifoldIsTheSame() {
         long seed = 10;

@@ -25,7 +25,7 @@ public final class Meeting {
         return pose;
     }
 
-    /** Fills and returns the manifold. */
+    /** Fills and returns the manifold, with points up to a gap of {@code reach} m. */
     public Manifold within(double reach) {
         new Collider().collide(a.outline(0), poseA, b.outline(0), poseB, reach, manifold);
         return manifold;

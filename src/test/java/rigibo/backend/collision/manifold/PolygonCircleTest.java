@@ -35,7 +35,7 @@ class PolygonCircleTest {
         assertThat(manifold.pointY[0]).isEqualTo(0.625);
     }
 
-    /** The corner at (1, ½) sees the centre on a 3-4-5 triangle. */
+    /** The corner at (1, ½) and the disc's centre, on a 3-4-5 triangle. */
     @Test
     void discBesideACornerIsMeasuredFromTheCorner() {
         Manifold manifold = boxAndDisc(1.3, 0.9).within(1);
@@ -74,14 +74,14 @@ class PolygonCircleTest {
         assertThat(Math.abs(manifold.normalY)).isEqualTo(1);
     }
 
-    /** The corner lies within reach of the face's line, but not of the disc. */
+    /** The line of the face is within reach of the disc, the corner is not. */
     @Test
     void nothingBeyondReachOfACorner() {
         assertThat(boxAndDisc(1.3, 0.9).within(0.24).count).isZero();
         assertThat(boxAndDisc(1.3, 0.9).within(0.26).count).isEqualTo(1);
     }
 
-    /** Past the end of a face the normal turns, but it does not jump, nor does the gap. */
+    /** Past the end of a face the normal turns without a jump, and so does the gap. */
     @Test
     void gapAndNormalAreContinuousAroundACorner() {
         double step = 1e-9;
@@ -92,7 +92,7 @@ class PolygonCircleTest {
         assertThat(after.normalX).isEqualTo(before.normalX, within(2 * step / 0.3));
     }
 
-    /** Any polygon and any place: a disc is as far as its centre less its radius. */
+    /** For any polygon and place, the gap of a disc is that of its centre, less its radius. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void gapIsThatOfTheCentreLessTheRadius(long seed) {

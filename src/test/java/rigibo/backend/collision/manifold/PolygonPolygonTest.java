@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.backend.geometry.Polygon;
 
-/** Boxes in positions where the manifold can be told by hand. */
+/** Boxes at poses where the manifold is known by hand. */
 class PolygonPolygonTest {
 
     private static final double ROUND_OFF = 1e-15;
@@ -40,7 +40,8 @@ class PolygonPolygonTest {
     }
 
     /**
-     * However it turns by a billionth of a radian, a resting box keeps its two points and names.
+     * A resting box keeps its two points and their features when it turns by a billionth of a
+     * radian.
      */
     @Test
     void featuresOfARestingBoxStay() {
@@ -55,7 +56,7 @@ class PolygonPolygonTest {
         }
     }
 
-    /** Corner over corner: round-off decides which of the two lies inside, not the name. */
+    /** Corner over corner: round-off decides which of the two lies inside, but not the feature. */
     @Test
     void featuresOfEqualBoxesOnEachOtherStay() {
         Meeting rest = new Meeting(BOX, pose(0, 0, 0), BOX, pose(0, 1, 0));
@@ -72,7 +73,7 @@ class PolygonPolygonTest {
         }
     }
 
-    /** A box that rolls over its lower right corner keeps the name of that corner. */
+    /** A box that rolls over its lower right corner keeps the feature of that corner. */
     @Test
     void cornerKeepsItsNameWhileABoxRollsOverIt() {
         Integer name = null;
@@ -88,7 +89,7 @@ class PolygonPolygonTest {
         }
     }
 
-    /** The lower box's right end cuts the upper box's lower edge at x = ½. */
+    /** The lower box's right end clips the upper box's lower edge at x = ½. */
     @Test
     void overhangIsCutAtTheEndOfTheFace() {
         Manifold manifold = new Meeting(BOX, pose(0, 0, 0), BOX, pose(0.7, 1, 0)).within(0.1);
@@ -96,7 +97,7 @@ class PolygonPolygonTest {
         assertThat(manifold.pointX).containsExactly(new double[] {0.5, 0.2}, within(ROUND_OFF));
     }
 
-    /** Corners (½, ½) and (0.8, 0.9): 3-4-5. */
+    /** Corners (½, ½) and (0.8, 0.9), on a 3-4-5 triangle. */
     @Test
     void twoCornersAreMeasuredAlongTheLineBetweenThem() {
         Manifold manifold = new Meeting(BOX, pose(0, 0, 0), BOX, pose(1.3, 1.4, 0)).within(1);
@@ -110,7 +111,10 @@ class PolygonPolygonTest {
         assertThat(manifold.pointY[0]).isEqualTo(0.7, within(ROUND_OFF));
     }
 
-    /** Whichever two corners: exactly there, though faces in one line are as near all along. */
+    /**
+     * Boxes that touch with any two corners touch exactly there, though faces in one line are as
+     * near along all of their length.
+     */
     @ParameterizedTest
     @CsvSource({"1, 1", "1, -1", "-1, 1", "-1, -1"})
     void boxesThatTouchInACornerTouchThere(double x, double y) {
@@ -140,7 +144,7 @@ class PolygonPolygonTest {
         assertThat(manifold.pointX[0]).isEqualTo(0, within(ROUND_OFF));
     }
 
-    /** The smaller box is deeper inside than it is wide: out by the nearest face. */
+    /** The smaller box is deeper inside than its width and leaves by the nearest face. */
     @Test
     void boxInsideABoxLeavesByTheNearestFace() {
         Meeting inside = new Meeting(FLOOR, pose(0, 0, 0), Polygon.box(0.1, 0.1), pose(1, 0.1, 0));
@@ -161,7 +165,7 @@ class PolygonPolygonTest {
         assertThat(Math.hypot(manifold.normalX, manifold.normalY)).isEqualTo(1);
     }
 
-    /** A floor of 10⁶ m keeps its height exactly under a box that is turned by any angle. */
+    /** A floor of 10⁶ m keeps its height exactly under a box at any angle. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void aWideFloorStaysFlat(boolean isFloorFirst) {

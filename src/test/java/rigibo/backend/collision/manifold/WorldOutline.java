@@ -3,7 +3,9 @@ package rigibo.backend.collision.manifold;
 import rigibo.backend.geometry.Outline;
 import rigibo.backend.geometry.Shape;
 
-/** A core's corners in the world, its radius, and the slow, plain truth about two of them. */
+/**
+ * The corners of a core in the world, its radius, and a plain computation of the distance of two.
+ */
 public final class WorldOutline {
 
     private final double[] x;
@@ -21,14 +23,14 @@ public final class WorldOutline {
         }
     }
 
-    /** The distance, or in overlap minus the least way that parts them, m. */
+    /** The distance, or in overlap minus the shortest displacement that parts the two, m. */
     public static double gap(WorldOutline a, WorldOutline b) {
         double apart = Math.max(farthestFace(a, b), farthestFace(b, a));
         double gap = apart <= 0 ? apart : Math.min(nearestCorner(a, b), nearestCorner(b, a));
         return gap - a.radius - b.radius;
     }
 
-    /** How far it reaches along a unit direction, m. */
+    /** Extent along a unit direction, m. */
     public double reach(double dx, double dy) {
         return coreReach(dx, dy) + radius;
     }
@@ -54,7 +56,7 @@ public final class WorldOutline {
         return farthest;
     }
 
-    /** From any corner of one to any edge of the other. */
+    /** Distance from any corner of one to any edge of the other, m. */
     private static double nearestCorner(WorldOutline a, WorldOutline b) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < a.x.length; i++) {

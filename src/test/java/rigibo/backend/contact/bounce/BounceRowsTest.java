@@ -17,7 +17,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
-/** The closing speed from which on contacts bounce, of boxes of 2 m and 1 kg on each other. */
+/** The closing speed from which on contacts rebound, for boxes of 2 m and 1 kg on each other. */
 class BounceRowsTest {
 
     private static final double ROUND_OFF = 1e-12;
@@ -65,25 +65,25 @@ class BounceRowsTest {
         return bounces.bounceSpeeds[0];
     }
 
-    /** √(2·g·d) of a lift d of half a millimetre per metre of width, which nobody sees. */
+    /** √(2·g·d) for a lift d of half a millimetre per metre of width, which is not visible. */
     @Test
     void reboundsThatNobodySeesAreNone() {
         island.bodies.accelerationY[b] = -10;
         assertThat(begin()).isCloseTo(Math.sqrt(2 * 10 * 0.5e-3 * 2), within(ROUND_OFF));
-        // From the other side it is the same: the lower one is pulled up.
+        // The same from the other side: the lower box is pulled up.
         island.bodies.accelerationY[b] = 0;
         island.bodies.accelerationY[a] = 10;
         assertThat(begin()).isCloseTo(Math.sqrt(2 * 10 * 0.5e-3 * 2), within(ROUND_OFF));
     }
 
-    /** A strong pull gives more than that within the substep: that is load. */
+    /** A strong pull causes a higher speed within the substep; that is load. */
     @Test
     void speedByPressureIsNoImpact() {
         island.bodies.accelerationY[b] = -1000;
         assertThat(begin()).isCloseTo(1000 * H, within(ROUND_OFF));
     }
 
-    /** Load of both points, N, times 1/mA + 1/mB. */
+    /** The load of both points, N, times 1/mA + 1/mB. */
     @Test
     void carriedLoadPresses() {
         island.point(pair, 1, 1, 0);
@@ -94,7 +94,7 @@ class BounceRowsTest {
 
     /**
      * A body that meets its pile within the step has moved since its contacts were measured, by
-     * metres where all fly at 50 m/s.
+     * metres if all fly at 50 m/s.
      */
     @Test
     void placesOfBodiesDoNotMatter() {
@@ -106,7 +106,7 @@ class BounceRowsTest {
         assertThat(begin()).isPositive().isEqualTo(before);
     }
 
-    /** A quarter of the speed that a pull along the surface gives. */
+    /** A quarter of the speed that a pull along the surface gives counts. */
     @Test
     void pullAlongTheSurfaceCountsByAQuarter() {
         island.bodies.accelerationX[b] = 30;
@@ -115,7 +115,7 @@ class BounceRowsTest {
         island.bodies.accelerationX[a] = 60;
         island.bodies.accelerationY[a] = -80;
         assertThat(begin()).isCloseTo(100 * H / 4, within(ROUND_OFF));
-        // What sleeps is not pulled.
+        // Sleeping bodies are not pulled.
         island.bodies.awake[a] = false;
         assertThat(begin()).isCloseTo(50 * H / 4, within(ROUND_OFF));
     }
@@ -125,7 +125,7 @@ class BounceRowsTest {
         assertThat(begin()).isZero();
     }
 
-    /** More contacts than there is room for at first. */
+    /** There are more contacts than the first capacity. */
     @Test
     void allElasticContactsAreListed() {
         for (int i = 0; i < 12; i++) {

@@ -13,12 +13,12 @@ import rigibo.backend.storage.Bodies;
 
 import java.util.SplittableRandom;
 
-/** What impacts shift stays as long as it leads into nothing. */
+/** Shifts by impacts are kept as long as they lead into no other body. */
 class ImpactShiftsTest {
 
     private static final double ROUND_OFF = 1e-12;
 
-    /** Way into another that does not show, as a share of the width, which is a metre here. */
+    /** Overlap that is not visible, as a share of the width, which is 1 m here. */
     private static final double UNSEEN = 1e-4;
 
     /** Gap up to which bodies touch, as a share of the width. */
@@ -38,7 +38,7 @@ class ImpactShiftsTest {
         assertThat(way(1)).isEqualTo(-0.4);
     }
 
-    /** The way of the gap, and what does not show, are all that is left of it. */
+    /** Of the shift only the gap is left, and the overlap that is not visible. */
     @Test
     void shiftEndsAtTheGround() {
         tower(1, 0.1);
@@ -48,7 +48,7 @@ class ImpactShiftsTest {
         assertThat(way(1)).isCloseTo(-0.1 - UNSEEN, within(ROUND_OFF));
     }
 
-    /** What lay in each other before is no reason to hold back what moves apart. */
+    /** Former overlap does not hold back a shift apart. */
     @Test
     void shiftOutOfAnOverlapStays() {
         tower(1, -0.1);
@@ -58,7 +58,7 @@ class ImpactShiftsTest {
         assertThat(way(1)).isEqualTo(0.05);
     }
 
-    /** 1 kg under 10 m/s² is lifted by as much as the impacts took: 0.05 m for ½ J. */
+    /** 1 kg under 10 m/s² is lifted by the energy that the impacts lost: 0.05 m for ½ J. */
     @Test
     void impactsPayForWhatIsLifted() {
         bodies.accelerationY[0] = -10;
@@ -70,7 +70,7 @@ class ImpactShiftsTest {
         assertThat(way(1)).isCloseTo(-0.3 + 0.05, within(ROUND_OFF));
     }
 
-    /** What a driven surface gave in one impact pays for nothing, nor does it cost anything. */
+    /** The gain from a driven surface in an impact neither pays for a lift nor costs anything. */
     @Test
     void gainOfAImpactDoesNotCount() {
         bodies.accelerationY[0] = -10;
@@ -96,7 +96,7 @@ class ImpactShiftsTest {
         assertThat(way(1)).isCloseTo(-0.1 - UNSEEN, within(ROUND_OFF));
     }
 
-    /** What lay on the ground is where it lay when others are struck. */
+    /** A body on the ground stays in place when others are struck. */
     @Test
     void whatTouchesIsNotShiftedIntoTheGround() {
         tower(1, 0);
@@ -106,7 +106,7 @@ class ImpactShiftsTest {
         assertThat(way(1)).isCloseTo(-TOUCHED, within(ROUND_OFF));
     }
 
-    /** At 3 m/s upwards it is 2 cm above the ground again after a hundredth of a second. */
+    /** At 3 m/s upwards the body is 2 cm above the ground after a hundredth of a second. */
     @Test
     void whatPartsInTimeKeepsItsShift() {
         tower(1, 0);
@@ -117,7 +117,7 @@ class ImpactShiftsTest {
         assertThat(way(1)).isEqualTo(-0.01);
     }
 
-    /** What falls meets the ground where it may, and not where it is now. */
+    /** A falling body meets the ground at the end of its gap, not at its present place. */
     @Test
     void whatHasAGapKeepsItsShift() {
         tower(1, 0.05);
@@ -143,8 +143,8 @@ class ImpactShiftsTest {
     }
 
     /**
-     * What is held back holds back in its turn what was behind it: none of a tower, wherever it is
-     * shifted, gets farther into the one below than it was, but for what does not show.
+     * A body that is held back holds back the one behind it. None of a tower, shifted at any place,
+     * gets farther into the one below than it was, except for overlap that is not visible.
      */
     @Test
     void nobodyOfATowerIsShiftedIntoAnother() {
@@ -176,7 +176,7 @@ class ImpactShiftsTest {
         assertThat(kept).isGreaterThan(1_000);
     }
 
-    /** Bodies that do not turn, one over the other, with a gap below each, m. */
+    /** A tower of bodies that do not turn, with a gap below each, m. */
     private void tower(int count, double gap) {
         island.begin(count);
         for (int body = 1; body <= count; body++) {

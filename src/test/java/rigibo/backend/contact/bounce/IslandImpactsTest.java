@@ -26,10 +26,9 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
 /**
- * Discs in a line, which meet within a substep of 0.1 s. After an impact at the time τ a body goes
- * on with its new velocity: the substep moves all bodies by h·v, so that places have to be shifted
- * by τ·(v₀ − v₁). Pair by pair no shift leads into what is there now, so that only velocities are
- * exact.
+ * Discs in a line, which meet within a substep of 0.1 s. After an impact at the time τ a body moves
+ * with its new velocity. The substep moves all bodies by h·v, so places must be shifted by τ·(v₀ −
+ * v₁). Pair by pair no shift leads into a present body, so only velocities are exact.
  */
 class IslandImpactsTest {
 
@@ -56,7 +55,7 @@ class IslandImpactsTest {
         APART
     }
 
-    /** A disc of 1 m radius that goes along x. */
+    /** A disc of 1 m radius that moves along x. */
     private int disc(double x, double mass, double velocity, double elasticity) {
         return island.body(
                 BodyDefinition.dynamic(new Circle(1))
@@ -125,7 +124,9 @@ class IslandImpactsTest {
         assertThat(contacts.work.impacts).isEqualTo(1);
     }
 
-    /** Conserved momentum, and e times the closing speed afterwards; the impulse is m·Δv. */
+    /**
+     * Momentum is kept, and the parting speed is e times the closing speed; the impulse is m·Δv.
+     */
     @ParameterizedTest
     @CsvSource({"JOINTLY, 3, 1", "JOINTLY, 0.2, 0.4", "APART, 3, 1", "APART, 0.2, 0.4"})
     void twoDiscsFollowNewton(Way way, double mass, double elasticity) {
@@ -148,7 +149,7 @@ class IslandImpactsTest {
         assertThat(impulse + told).isCloseTo(mass * (vb + 1), within(ROUND_OFF));
     }
 
-    /** One after the other: equal elastic discs hand their velocities on, each at its time. */
+    /** Equal elastic discs hand their velocities on, each at its time. */
     @ParameterizedTest
     @EnumSource(Way.class)
     void velocityIsHandedAlongALine(Way way) {
@@ -169,7 +170,9 @@ class IslandImpactsTest {
         assertThat(contacts.impacts).isEqualTo(2);
     }
 
-    /** A heavy one between: 3 kg at 2 m/s is struck by 1 kg at 10 m/s, then strikes 1 kg. */
+    /**
+     * With a heavy disc between: 3 kg at 2 m/s are struck by 1 kg at 10 m/s, and then strike 1 kg.
+     */
     @Test
     void chainOfUnequalDiscsIsSolvedInTime() {
         int a = disc(0, 1, 10, 1);
@@ -189,7 +192,7 @@ class IslandImpactsTest {
         assertThat(way(c)).isCloseTo(7.5 * (H - second), within(ROUND_OFF));
     }
 
-    /** With a pull a: gap = v·τ + a·τ²/2, and −e times the speed there. */
+    /** With an acceleration a: gap = v·τ + a·τ²/2, and −e times the speed there. */
     @ParameterizedTest
     @CsvSource({"JOINTLY, 1", "JOINTLY, 0.5", "APART, 1", "APART, 0.5"})
     void pulledDiscStrikesWithTheSpeedItHasThere(Way way, double elasticity) {
@@ -199,7 +202,7 @@ class IslandImpactsTest {
         meet(disc, wall);
         island.bodies.accelerationX[disc] = pull;
         resolve(way);
-        // Pair by pair the time is that of the straight path at the velocity of the middle.
+        // Pair by pair the time is that of a straight path at the mean velocity.
         double time =
                 way == Way.JOINTLY
                         ? (Math.sqrt(9 + 2 * pull * 0.15) - 3) / pull
@@ -209,7 +212,7 @@ class IslandImpactsTest {
         assertThat(velocity(disc)).isCloseTo(after, within(ROUND_OFF));
     }
 
-    /** Slower than an impact, not there within the substep, going away, or not there yet. */
+    /** Too slow for an impact, out of reach in the substep, parting, or not there yet. */
     @ParameterizedTest
     @CsvSource({"4, 0.41, 0", "-4, 0, 0", "1e-10, 0, 0", "4, 0.1, 1"})
     void whatDoesNotStrikeGoesOn(double speed, double gap, int firstSubstep) {
@@ -227,7 +230,7 @@ class IslandImpactsTest {
         }
     }
 
-    /** Without a budget nothing is resolved, and that is told. */
+    /** Without a budget no impact is resolved, and the return value says so. */
     @Test
     void budgetIsKept() {
         int disc = disc(0, 2, 4, 1);
@@ -264,7 +267,7 @@ class IslandImpactsTest {
                 .isCloseTo(1 + 0.5 * impulse * inverseInertia, within(1e-9));
     }
 
-    /** One that pushes against a chain at rest that touches: momentum and energy are kept. */
+    /** A disc strikes a chain at rest whose discs touch: momentum and energy are kept. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
     void touchingRowOfDiscsKeepsMomentumAndEnergy(int waiting) {
@@ -289,7 +292,7 @@ class IslandImpactsTest {
         assertThat(energy).isCloseTo(100, within(1e-7));
     }
 
-    /** In the last kick what has not met yet is left for the next step, if it will bounce. */
+    /** In the last kick a rebound of a pair that has not met yet is left to the next step. */
     @ParameterizedTest
     @CsvSource({"4, 0.1, 1", "4, -0.001, -1", "-4, 0.1, -1"})
     void whatWillBounceNextStepIsLeftOpen(double speed, double gap, int firstSubstep) {
@@ -302,7 +305,7 @@ class IslandImpactsTest {
         assertThat(contacts.firstSubstep[0]).isEqualTo(firstSubstep);
     }
 
-    /** Recorded at its time and place, with its closing speed. */
+    /** A hit is recorded with its time, place and closing speed. */
     @ParameterizedTest
     @EnumSource(Way.class)
     void hitsAreNoted(Way way) {

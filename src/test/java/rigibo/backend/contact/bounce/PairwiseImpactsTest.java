@@ -21,7 +21,7 @@ import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.Material;
 
-/** Bounces within the substeps of a pile that passes solve. */
+/** Rebounds within the substeps of a pile that passes solve. */
 class PairwiseImpactsTest {
 
     private static final double G = 9.81;

@@ -24,8 +24,8 @@ import rigibo.backend.storage.KeptOverlap;
 import rigibo.backend.storage.Pairs;
 
 /**
- * A box of 2 kg, a metre wide, that stands at both corners on a floor under 10 m/s²: each corner
- * carries 10 N. Its loads add up to 20 m/s², half of them pull and half of them support.
+ * A box of 2 kg, 1 m wide, stands with both corners on a floor under 10 m/s²: each corner carries
+ * 10 N. Its loads add up to 20 m/s², half by its weight and half by its support.
  */
 class EquilibriumTest {
 
@@ -88,7 +88,7 @@ class EquilibriumTest {
         return test.isOverlapping();
     }
 
-    /** What is missing may be 10⁻⁹ of all loads, 2·10⁻⁸ m/s², whichever way it points. */
+    /** The residual may be 10⁻⁹ of all loads, 2·10⁻⁸ m/s², in either direction. */
     @ParameterizedTest
     @CsvSource({"0, true", "0.99, true", "-0.99, true", "1.01, false", "-1.01, false"})
     void forcesBalance(double times, boolean isHeld) {
@@ -97,7 +97,9 @@ class EquilibriumTest {
         assertThat(lasts()).isEqualTo(isHeld);
     }
 
-    /** A force that moves from one corner to the other turns by its metre: r·α counts. */
+    /**
+     * Moving a force from one corner to the other turns the box by its lever of 1 m: r·α counts.
+     */
     @ParameterizedTest
     @CsvSource({"0.99, true", "-0.99, true", "1.01, false", "-1.01, false"})
     void torquesBalance(double times, boolean isHeld) {
@@ -106,7 +108,7 @@ class EquilibriumTest {
         assertThat(lasts()).isEqualTo(isHeld);
     }
 
-    /** Statics of a beam on two supports: N₀ = W·b/(a + b), N₁ = W·a/(a + b). */
+    /** A beam on two supports: N₀ = W·b/(a + b), N₁ = W·a/(a + b). */
     @Test
     void loadsFollowTheLevers() {
         pairs.pointX[0] = -0.3;
@@ -118,7 +120,7 @@ class EquilibriumTest {
         assertThat(lasts()).isTrue();
     }
 
-    /** It stands on a wall to its right, which A and B changed places at. */
+    /** The box stands at a wall to its right; A and B are exchanged. */
     @Test
     void firstBodyIsPushedTheOtherWay() {
         pairs.bodyA[0] = BOX;
@@ -130,9 +132,9 @@ class EquilibriumTest {
     }
 
     /**
-     * Pulled to the right by 3 m/s², friction holds it with 6 N at its foot, which turns it by 3
-     * N·m: 3 N more are on the right corner, 3 N less on the left one. All are within the cone if
-     * μ·20 N is at least 6 N.
+     * Pulled to the right by 3 m/s², the box is held by a friction of 6 N at its foot, which turns
+     * it by 3 N·m. So the right corner carries 3 N more, the left one 3 N less. All forces are
+     * within the cone if μ·20 N is at least 6 N.
      */
     @ParameterizedTest
     @CsvSource({"0.31, true", "0.3, true", "0.299999, false", "0, false"})
@@ -149,7 +151,7 @@ class EquilibriumTest {
         assertThat(lasts()).isEqualTo(isHeld);
     }
 
-    /** Friction acts at the height of the nearer point: here 0.2 m up, so that it turns by 0.3. */
+    /** Friction acts at the height of the nearer point, 0.2 m up, so its lever is 0.3 m. */
     @Test
     void frictionActsAtTheNearerPoint() {
         bodies.accelerationX[BOX] = 3;
@@ -163,7 +165,7 @@ class EquilibriumTest {
         assertThat(lasts()).isFalse();
     }
 
-    /** A torque of 2 N·m about the ground is a metre's lever of 2 N, up to c·N = 20·c N·m. */
+    /** A torque of 2 N·m is the lever of 1 m of a force of 2 N; the bound is c·N = 20·c N·m. */
     @ParameterizedTest
     @CsvSource({"0.11, 2, true", "0.1, 2, true", "0.0999, 2, false", "0.1, -2, true"})
     void rollingResistanceHoldsWithinItsBound(double lever, double torque, boolean isHeld) {
@@ -176,7 +178,7 @@ class EquilibriumTest {
         assertThat(lasts()).isFalse();
     }
 
-    /** 10⁻⁹ widths in a step, of any of its points. */
+    /** Any point of the body may move by 10⁻⁹ widths in a step. */
     @ParameterizedTest
     @CsvSource({
         "0.9, 0, 0, true",
@@ -214,7 +216,7 @@ class EquilibriumTest {
         assertThat(lasts()).isFalse();
     }
 
-    /** A thousandth of the width of the body that moves, not of the floor's. */
+    /** A gap up to a thousandth of the width of the moving body, not of the floor's. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1})
     void pointsThatCarryAreClosed(int point) {
@@ -228,7 +230,7 @@ class EquilibriumTest {
         assertThat(lasts()).isTrue();
     }
 
-    /** What would be taken back of it in a step must show: 10⁻⁹ widths. */
+    /** The overlap to remove in a step counts from 10⁻⁹ widths on. */
     @Test
     void overlapIsToldFromWhatIsKept() {
         double kept = KeptOverlap.LEAST + Recovery.overlapOf(Stillness.STILL, DT);
@@ -237,14 +239,14 @@ class EquilibriumTest {
         pairs.separation[1] = -1.0001 * kept;
         assertThat(isOverlapping(Accuracy.GAME)).isTrue();
         assertThat(isOverlapping(Accuracy.GAME.withCorrection(Correction.NONE))).isFalse();
-        // A ulp is 1.9e-9 m there, and four of them count as nothing.
+        // An ulp is 1.9e-9 m there, and four of them count as none.
         bodies.x[BOX] = 1e7;
         pairs.pointX[0] += 1e7;
         pairs.pointX[1] += 1e7;
         assertThat(isOverlapping(Accuracy.GAME)).isFalse();
     }
 
-    /** Of joined bodies: forces of joints are added, and the body may move as loads give way. */
+    /** For joined bodies the forces of joints are added, and the body may move as loads yield. */
     @Test
     void jointsCarryWhatContactsDoNot() {
         load(0, 0);
@@ -259,7 +261,7 @@ class EquilibriumTest {
         assertThat(test.isHeld(0, DT, DT)).isFalse();
     }
 
-    /** 10⁻⁸ of 20 m/s² in a kick of 1 s is 2·10⁻⁷ m/s; longer kicks give way by more. */
+    /** 10⁻⁸ of 20 m/s² in a kick of 1 s is 2·10⁻⁷ m/s; longer kicks yield by more. */
     @ParameterizedTest
     @CsvSource({"1.9e-7, 1, true", "2.1e-7, 1, false", "2.1e-7, 2, true"})
     void joinedBodiesGiveWay(double speed, double kicked, boolean isHeld) {
@@ -269,7 +271,7 @@ class EquilibriumTest {
         assertThat(test.isHeld(0, DT, kicked)).isEqualTo(isHeld);
     }
 
-    /** 10⁻⁶ widths in a step, and nothing that is still to be taken back. */
+    /** 10⁻⁶ widths in a step, and no overlap left to remove. */
     @Test
     void joinedBodiesThatMoveAreSolved() {
         Equilibrium test = new Equilibrium(data, Accuracy.GAME);

@@ -20,14 +20,15 @@ import rigibo.backend.storage.Bodies;
 import java.util.SplittableRandom;
 
 /**
- * Bodies that a kick of a tenth of a second under 10 m/s² left with 1 m/s downwards, by statics.
+ * Bodies that a kick of a tenth of a second under 10 m/s² left with 1 m/s downwards, compared with
+ * statics.
  */
 class LoadsFromAboveTest {
 
     private static final double KICK = 0.1;
     private static final double PULL = 10;
 
-    /** Rounds end at 10⁻¹⁰ of what a body carries, and loads add up from storey to storey. */
+    /** Rounds end at 10⁻¹⁰ of the load of a body, and loads add up from storey to storey. */
     private static final double HELD = 1e-9;
 
     private final PackedIsland island = new PackedIsland();
@@ -41,7 +42,7 @@ class LoadsFromAboveTest {
         island.begin(count);
     }
 
-    /** A body whose place along the pull is told by its height, m. */
+    /** A body at a height along the pull, m. */
     private void body(int entry, double mass, double inertia, double height) {
         island.body(entry, 1 / mass, inertia > 0 ? 1 / inertia : 0);
         motions.slots[entry] = entry;
@@ -64,7 +65,7 @@ class LoadsFromAboveTest {
         }
     }
 
-    /** Each contact carries all that is above it, whatever order the bodies have. */
+    /** Each contact carries all bodies above it, whatever their order. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void columnCarriesWhatLiesOnIt(long seed) {
@@ -97,7 +98,7 @@ class LoadsFromAboveTest {
         body(1, 3, 2, 0);
         int row = isA ? island.contact(1, 0, left, right) : island.onGround(1, left, right);
         if (isA) {
-            // From the body down to the ground: normal and levers are those of the other side.
+            // From the body down to the ground: normal and levers are those of the other body.
             int at = row * PackedContacts.STRIDE;
             contacts.data[at + PackedContacts.NY] = -1;
             contacts.data[at + PackedContacts.LEVER_A0] = left;
@@ -111,7 +112,7 @@ class LoadsFromAboveTest {
         assertAllStand(1);
     }
 
-    /** With its centre beyond both corners a body tips, and nothing is said of its loads. */
+    /** A body whose centre is beyond both corners tips; its loads are not determined. */
     @Test
     void whatTipsIsNotHeld() {
         begin(1);
@@ -121,8 +122,8 @@ class LoadsFromAboveTest {
     }
 
     /**
-     * A corner 0.1 mm above the ground carries its share in a crowd, which keeps overlaps of 2 mm;
-     * in an island of few it does not, and the body tips.
+     * A corner 0.1 mm above the ground carries its share in a crowd, which keeps overlaps of 2 mm.
+     * In an island of few contacts it does not, and the body tips.
      */
     @ParameterizedTest
     @CsvSource({"1, false", "300, true"})
@@ -144,7 +145,7 @@ class LoadsFromAboveTest {
         }
     }
 
-    /** The first body on a slope, rad, with two points as far from its centre. */
+    /** Puts the first body on a slope, rad, with two points at equal distances from its centre. */
     private int onSlope(double slope, double friction) {
         int row = island.onGround(1, 0.5, 0.5);
         int at = row * PackedContacts.STRIDE;
@@ -165,8 +166,8 @@ class LoadsFromAboveTest {
         if (isHeld) {
             double weight = 2 * PULL * KICK;
             assertThat(load(row)).isCloseTo(weight * Math.cos(slope), within(HELD * weight));
-            // The tangent is the normal turned to the left: it points down a slope that falls to
-            // the left, and friction up.
+            // The tangent is the normal turned to the left. On a slope that falls to the left it
+            // points down, and friction points up.
             assertThat(island.of(row, PackedContacts.IMPULSE_T))
                     .isCloseTo(-weight * Math.sin(slope), within(HELD * weight));
             assertAllStand(1);
@@ -181,7 +182,7 @@ class LoadsFromAboveTest {
         begin(1);
         body(1, 2, 0.5, 0);
         int row = onSlope(slope, 1);
-        // r × t of a point below the centre.
+        // r × t for a point below the centre.
         contacts.data[row * PackedContacts.STRIDE + PackedContacts.LEVER_TB] = -height;
         assertThat(loads.handDown(KICK)).isTrue();
         double weight = 2 * PULL * KICK;
@@ -193,7 +194,7 @@ class LoadsFromAboveTest {
         assertThat(load(row)).isCloseTo(weight * Math.cos(slope), within(HELD * weight));
     }
 
-    /** Friction that was carried and is no longer needed is left out, so that none is pushed. */
+    /** Friction of the last step that is no longer needed is dropped, so that it pushes nothing. */
     @Test
     void carriedFrictionIsBoundedByTheLoad() {
         begin(1);
@@ -207,7 +208,7 @@ class LoadsFromAboveTest {
         assertAllStand(1);
     }
 
-    /** A gap of more than 10⁻⁹ widths carries nothing, unless it carried before. */
+    /** A gap of more than 10⁻⁹ widths carries no load, unless it carried one before. */
     @Test
     void gapsCarryNothingAnew() {
         begin(1);
@@ -224,7 +225,7 @@ class LoadsFromAboveTest {
         assertThat(loads.handDown(KICK)).isTrue();
     }
 
-    /** Too much of a load that was carried is taken back, down to nothing. */
+    /** Excess of an earlier load is taken back, down to none. */
     @Test
     void carriedLoadsAreCorrected() {
         begin(2);
@@ -241,7 +242,7 @@ class LoadsFromAboveTest {
         assertThat(load(lower)).isCloseTo(2, within(HELD));
     }
 
-    /** The pull says what is above, not the y axis: here it points to the right. */
+    /** The pull defines above and below, not the y axis: here it points to the right. */
     @Test
     void whatIsAboveIsSaidByThePull() {
         begin(3);
@@ -265,7 +266,7 @@ class LoadsFromAboveTest {
         assertAllStand(3);
     }
 
-    /** A kick also moves what is driven; nobody has to hold it. */
+    /** A kick also moves driven bodies, which need no support. */
     @Test
     void whatNobodyCanMoveNeedsNoSupport() {
         begin(2);

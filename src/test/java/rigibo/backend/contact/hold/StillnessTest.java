@@ -22,7 +22,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.KeptOverlap;
 
 /**
- * A body of 2 kg, half a metre wide, on the ground under 10 m/s², whose contact carries 3 N·s: in a
+ * A body of 2 kg, half a metre wide, on the ground under 10 m/s², whose contact carries 3 N·s. In a
  * kick of 0.2 s its own loads are 2 m/s of pull and 1.5 m/s of support.
  */
 class StillnessTest {
@@ -34,7 +34,7 @@ class StillnessTest {
     private static final double RADIUS = 0.7;
     private static final double OWN = 3.5;
 
-    /** Speed at which it creeps by 10⁻⁹ widths in a step of four substeps, m/s. */
+    /** Speed of a creep of 10⁻⁹ widths in a step of four substeps, m/s. */
     private static final double CREEP = Stillness.STILL * WIDTH / (SUBSTEPS * H);
 
     private final PackedIsland island = new PackedIsland();
@@ -73,7 +73,10 @@ class StillnessTest {
         return stillness.isAtRest(0, H, SUBSTEPS, KICK);
     }
 
-    /** A tenth of 10 m/s² for 0.4 s is 0.4 m/s, for the greater axis and for the rim with it. */
+    /**
+     * A tenth of 10 m/s² for 0.4 s is 0.4 m/s, for the larger component, added to the speed of the
+     * rim.
+     */
     @ParameterizedTest
     @CsvSource({
         "0.39, -0.39, 0, true",
@@ -87,7 +90,7 @@ class StillnessTest {
         assertThat(stillness.isEveryBodyStill(0.4, 0.1)).isEqualTo(isStill);
     }
 
-    /** Without a pull what creeps by 10⁻⁹ widths is still. */
+    /** Without a pull, a creep by 10⁻⁹ widths counts as still. */
     @ParameterizedTest
     @CsvSource({"0.99, true", "1.01, false"})
     void creepIsStill(double times, boolean isStill) {
@@ -103,7 +106,7 @@ class StillnessTest {
         assertThat(isAtRest()).isEqualTo(rests);
     }
 
-    /** A long step lets it creep slower than that; a weak kick is not cancelled by less. */
+    /** In a long step the body must creep more slowly; a weak kick leaves less. */
     @Test
     void whatIsLeftOfAKickIsMeasuredByItsLoads() {
         bodies.smallestWidth[0] = 1e3;
@@ -111,7 +114,7 @@ class StillnessTest {
         assertThat(isAtRest()).isTrue();
         go(0, 1.01 * Stillness.UNHELD * OWN, 0);
         assertThat(isAtRest()).isFalse();
-        // What it did before the kick is not left of it.
+        // Motion from before the kick is not left by it.
         stillness.begin();
         assertThat(isAtRest()).isTrue();
     }
@@ -129,7 +132,7 @@ class StillnessTest {
         assertThat(isAtRest()).isFalse();
     }
 
-    /** Overlap that is taken back moves bodies; what is kept does not. */
+    /** Overlap that is being removed moves bodies; kept overlap does not. */
     @Test
     void whatIsMovedApartDoesNotRest() {
         OverlapSolver overlap = new OverlapSolver(bodies, motions, contacts, Accuracy.GAME);
@@ -144,7 +147,7 @@ class StillnessTest {
         assertThat(correcting.isAtRest(0, H, SUBSTEPS, KICK)).isFalse();
     }
 
-    /** What a kick left of its own loads is halted; what was on its way goes on. */
+    /** The rest of a kick's loads is halted; earlier motion goes on. */
     @Test
     void whatIsHeldIsHalted() {
         go(0, 0.99 * Stillness.UNHELD * OWN, 0);
@@ -159,7 +162,7 @@ class StillnessTest {
         assertThat(speedY()).isEqualTo(fast);
     }
 
-    /** What stood and was struck meanwhile is not halted, however slow it was. */
+    /** A body that was struck meanwhile is not halted, however slow it is. */
     @Test
     void whatWasMovedByTheKickIsNotHalted() {
         double slow = 0.5 * Stillness.UNHELD * OWN;

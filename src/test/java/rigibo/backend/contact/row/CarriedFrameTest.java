@@ -30,7 +30,7 @@ class CarriedFrameTest {
                 BodyDefinition.kinematic(Polygon.box(1, 1)).at(x, -1).velocity(vx, vy).spin(spin));
     }
 
-    /** In it carriers stand still, and places are those of the step's start. */
+    /** In the frame carriers stand still, and places are those of the step's start. */
     @Test
     void islandIsSolvedWhereItsCarriersStandStill() {
         int left = carrier(0, 3, -2, 0);
@@ -67,7 +67,7 @@ class CarriedFrameTest {
         assertThat(island.bodies.y[other]).isCloseTo(0.2 - 0.5, within(ROUND_OFF));
     }
 
-    /** If anything of a carrier differs, turns or stands still. */
+    /** If the carriers differ in any component, or if one turns or stands still. */
     @ParameterizedTest
     @CsvSource({"3, -1, 0", "2, -2, 0", "3, -2, 1", "0, 0, 0", "0, 0, 2"})
     void worldIsKeptIfCarriersDiffer(double vx, double vy, double spin) {
@@ -101,7 +101,7 @@ class CarriedFrameTest {
         assertWorldIsKept();
     }
 
-    /** Listed for each of its contacts, one carrier is no other one; between two it is. */
+    /** Listed for several contacts, a carrier is one; two bodies are two. */
     @Test
     void carrierMayCarryMoreThanOnce() {
         int left = carrier(0, 3, -2, 0);
@@ -118,7 +118,7 @@ class CarriedFrameTest {
         assertThat(island.bodies.velocityX[one]).isEqualTo(5);
     }
 
-    /** A body locked in an axis cannot go along with what moves along it. */
+    /** A body locked in an axis cannot move along with a carrier in that axis. */
     @ParameterizedTest
     @CsvSource({"true, 3, 0, false", "true, 0, 3, true", "false, 0, 3, false", "false, 3, 0, true"})
     void bodiesWithLockedAxesStayInTheWorld(boolean inX, double vx, double vy, boolean follows) {

@@ -23,7 +23,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.DataStorage;
 
-/** Islands that are carried by joints: {@link CarriedFrame}. */
+/** Islands carried by joints: {@link CarriedFrame}. */
 class CarriedJointsTest {
 
     private final Pool pool =
@@ -80,7 +80,7 @@ class CarriedJointsTest {
         assertThat(motions.frameY).isEqualTo(-1);
     }
 
-    /** A hand holds on to a place of the world. */
+    /** A mouse joint holds a place in the world. */
     @Test
     void handsHoldOnToTheWorld() {
         RigidBody carrier = carrier(0, 3, -2);
@@ -92,7 +92,7 @@ class CarriedJointsTest {
         assertThat(motions.isInWorld()).isFalse();
     }
 
-    /** Gears push on the bases of both joints, too. */
+    /** Gears also push on the bases of both joints. */
     @ParameterizedTest
     @CsvSource({"-2, true", "-1, false"})
     void basesOfGearsCarryAsWell(double speed, boolean isCarried) {

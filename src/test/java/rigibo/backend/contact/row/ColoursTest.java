@@ -22,13 +22,15 @@ import java.util.Set;
 
 class ColoursTest {
 
-    /** Longer than the colours that are handed out by what is to spare. */
+    /** More contacts than the colours chosen by free capacity take. */
     private static final int MANY = 200;
 
     private final Pool pool =
             new Pool(Effects.of(new Contacts(), new Gravity(0, -9.81)), Accuracy.GAME);
 
-    /** A wall of bricks: each touches two below and two above, so that four colours would do. */
+    /**
+     * A wall of bricks: each touches two below and two above, so that four colours would suffice.
+     */
     @Test
     void noTwoOfOneColourShareABody() {
         pool.add(BodyDefinition.fixed(Polygon.box(100, 1)).at(0, -0.5));
@@ -59,7 +61,7 @@ class ColoursTest {
         assertThat(colours.groundStart).isEqualTo(MANY);
     }
 
-    /** What lies elsewhere changes nothing in an island. */
+    /** Bodies of other islands change nothing in an island. */
     @Test
     void strangersDoNotMatter() {
         Colours alone = stackBeside(0);
@@ -90,7 +92,7 @@ class ColoursTest {
         return colours;
     }
 
-    /** Asks every contact of the island; returns how many there are. */
+    /** Visits every contact of the island; returns their number. */
     private int asked(Colours colours) {
         DataStorage data = PoolStorage.of(pool);
         Islands islands = data.islands;

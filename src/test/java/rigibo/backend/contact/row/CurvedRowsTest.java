@@ -17,7 +17,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.storage.Pairs;
 
-/** Round outlines that move around each other, and faces that slide over each other. */
+/** Round outlines that move around each other, and faces that slide on each other. */
 class CurvedRowsTest {
 
     private static final double ROUND_OFF = 1e-13;
@@ -42,14 +42,14 @@ class CurvedRowsTest {
     private int b;
     private int pair;
 
-    /** B touches A along a normal at an angle; both at their places. */
+    /** Makes B touch A with a normal at an angle; both are at their places. */
     private void touch(Convex shapeA, double ax, double ay, Convex shapeB, double bx, double by) {
         a = island.body(BodyDefinition.dynamic(shapeA).at(AX + ax, AY + ay));
         b = island.body(BodyDefinition.dynamic(shapeB).at(AX + bx, AY + by));
         layBeside();
     }
 
-    /** Another contact of A, which is the first row. */
+    /** Adds another contact of A, as the first row. */
     private void layBeside() {
         int beside = island.body(BodyDefinition.dynamic(Polygon.box(2, 2)).at(30, 0));
         island.point(island.contact(a, beside, 0.3), 9, 9, 9);
@@ -79,8 +79,8 @@ class CurvedRowsTest {
     }
 
     /**
-     * Straight on along the common tangent their distance is √(ρ² + s²), and the gap widens by that
-     * less ρ, however fast they spin. Motion along the normal is none of it.
+     * Moving straight along the common tangent, they have the distance √(ρ² + s²), and the gap
+     * widens by that less ρ, at any spin. Motion along the normal does not count.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.8, -2.2})
@@ -101,7 +101,7 @@ class CurvedRowsTest {
         assertThat(contacts.data[at + PackedContacts.GAP1]).isCloseTo(parted, within(ROUND_OFF));
     }
 
-    /** A face has no radius, nor do two corners that meet. */
+    /** A face has no radius, nor have two corners that meet. */
     @Test
     void facesAndCornersAreNotBent() {
         touch(Polygon.box(1, 1), 0, 0, Polygon.box(1, 1), 1, 1);
@@ -124,7 +124,7 @@ class CurvedRowsTest {
 
     /**
      * A capsule's end rolls about the end of its core, which does not slide along the disc if the
-     * body turns about it: at arm −1 + 0.3 from its centre, spin ω moves it by 0.7·ω.
+     * body turns about it. At an arm of −1 + 0.3 from the centre, spin ω moves it by 0.7·ω.
      */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
@@ -141,7 +141,7 @@ class CurvedRowsTest {
         builder.build(0, 1);
         int turning = isFirst ? a : b;
         set(turning, Motions.SPIN, 2);
-        // The end goes by 0.7·ω to the left or to the right; the body goes along.
+        // The end moves by 0.7·ω to the left or right, and the body moves along.
         set(turning, Motions.VX, isFirst ? 1.4 : -1.4);
         curved.bend(ROW, 0.1);
         assertThat(gap0()).isCloseTo(0, within(ROUND_OFF));
@@ -150,7 +150,7 @@ class CurvedRowsTest {
         assertThat(gap0()).isCloseTo(Math.sqrt(0.64 + 0.01) - 0.8, within(ROUND_OFF));
     }
 
-    /** √(ρ² + s²) − ρ above a hundredth of the tolerance in widths, of a width of 1 m. */
+    /** √(ρ² + s²) − ρ above a hundredth of the tolerance in widths, for a width of 1 m. */
     @ParameterizedTest
     @CsvSource({"0.0064, true", "0.0062, false", "-0.0064, true"})
     void fewDiscsCurveEarly(double way, boolean isCurved) {
@@ -159,7 +159,7 @@ class CurvedRowsTest {
         set(b, Motions.VY, way);
         assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
         assertThat(curved.isCurved(ROW, 0)).isFalse();
-        // What has been gone counts, too.
+        // The way since the step's start counts, too.
         set(b, Motions.VY, 0);
         set(b, Motions.DY, way);
         assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
@@ -174,7 +174,7 @@ class CurvedRowsTest {
         assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
     }
 
-    /** Where impacts are not in the order of time few are as many. */
+    /** Without impacts in time order, few bodies count like many. */
     @Test
     void splitImpactsDoNotFollowClosely() {
         Straightness straight =
@@ -188,7 +188,7 @@ class CurvedRowsTest {
         assertThat(straight.unseen()).isEqualTo(1e-4);
     }
 
-    /** Two corners curve only while few bodies are followed. */
+    /** Two corners curve only among few bodies. */
     @Test
     void cornersCurveAmongFew() {
         touch(Polygon.box(1, 1), 0, 0, Polygon.box(1, 1), 1, 1);
@@ -201,7 +201,9 @@ class CurvedRowsTest {
         assertThat(curved.isCurved(ROW, 1)).isFalse();
     }
 
-    /** A box of half the length slides along the top of another, its left end 0.1 m from A's. */
+    /**
+     * A box of half the length slides along the top of another, with its left end 0.1 m from A's.
+     */
     private void faces(double x) {
         touch(Polygon.box(2, 1), 0, 0, Polygon.box(1, 1), x, 1);
         pair = island.contact(a, b, Math.PI / 2);
@@ -211,7 +213,10 @@ class CurvedRowsTest {
         contacts.points[ROW] = 1;
     }
 
-    /** Corners at ±0.5 of B, at x = −0.4: to the ends of A's face at ±1 it is 0.1, 1.1, 0.9 … m. */
+    /**
+     * Corners at ±0.5 of B, at x = −0.4: their distances from the ends of A's face at ±1 are 0.1,
+     * 1.1, 0.9 … m.
+     */
     @ParameterizedTest
     @CsvSource({
         "-0.4, 0.11, true",
@@ -231,7 +236,7 @@ class CurvedRowsTest {
         assertThat(curved.isCurved(ROW, 1)).isFalse();
     }
 
-    /** Also on a body that is turned, by any angle. */
+    /** The same on a body turned by any angle. */
     @ParameterizedTest
     @CsvSource({"0.11, true", "0.09, false"})
     void facesMayBeTurned(double way, boolean isCurved) {
@@ -267,7 +272,7 @@ class CurvedRowsTest {
         assertThat(curved.isCurved(ROW, 1)).isEqualTo(isCurved);
     }
 
-    /** A disc that turns with the face that it is on keeps its place there, whichever is A. */
+    /** A disc that turns with its face keeps its place there, whichever of them is A. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void discThatTurnsWithAFaceStaysOnIt(boolean isFaceOfA) {
@@ -287,19 +292,19 @@ class CurvedRowsTest {
         set(rider, Motions.VX, -spin);
         set(rider, Motions.VY, 0.7 * spin);
         assertThat(curved.isCurved(ROW, 1)).isFalse();
-        // It is 0.3 m from the end: 0.31 m are too many.
+        // The end is 0.3 m away: 0.31 m are too many.
         set(rider, Motions.VX, 0.31 - spin);
         assertThat(curved.isCurved(ROW, 1)).isTrue();
     }
 
-    /** By 1.4 m from A's middle a tenth of B is over A: half of it will be after 0.5 m more. */
+    /** At 1.4 m from A's middle a tenth of B is over A: after 0.5 m more it is half. */
     @ParameterizedTest
     @CsvSource({"-1.4, 2, 0.25", "1.4, -2, 0.25", "-1.4, -2, Infinity", "-0.9, 2, Infinity"})
     void secondPointComesWithHalfOfAFace(double x, double speed, double time) {
         faces(x);
         set(b, Motions.VX, speed);
         assertThat(curved.untilNewPoint(ROW)).isCloseTo(time, within(ROUND_OFF));
-        // What has been slid since the step began counts as well: 0.6 m on, more than half is on.
+        // The slide since the step's start counts, too: 0.6 m farther, more than half is over A.
         set(b, Motions.DX, speed > 0 ? 0.6 : -0.6);
         assertThat(curved.untilNewPoint(ROW)).isEqualTo(FOREVER);
     }
@@ -319,7 +324,7 @@ class CurvedRowsTest {
         assertThat(curved.untilNewPoint(ROW)).isEqualTo(FOREVER);
     }
 
-    /** A disc has no length of which half could be over anything. */
+    /** A disc has no length, of which half could be over a face. */
     @Test
     void discHasNoSecondPoint() {
         touch(Polygon.box(2, 1), 0, 0, new Circle(0.5), -0.99, 1);

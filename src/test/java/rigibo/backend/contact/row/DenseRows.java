@@ -107,14 +107,14 @@ public final class DenseRows {
         return change;
     }
 
-    /** Speed that a unit impulse of one row gives another: an entry of J·M⁻¹·Jᵀ. */
+    /** Speed of one row by a unit impulse of another: an entry of J·M⁻¹·Jᵀ. */
     public double response(int contact, int kind, int otherContact, int otherKind) {
         double[] unit = new double[KINDS * contacts.count];
         unit[KINDS * otherContact + otherKind] = 1;
         return along(contact, kind, change(unit));
     }
 
-    /** ½·vᵀ·M·v of all that can be moved, J. */
+    /** ½·vᵀ·M·v of all movable bodies, J. */
     public double energy() {
         double[] v = velocities();
         double sum = 0;
@@ -126,7 +126,7 @@ public final class DenseRows {
         return sum;
     }
 
-    /** Gives velocities what the present impulses would have given them. */
+    /** Adds the velocities that the present impulses give. */
     public void applyImpulses() {
         double[] change = change(impulses());
         for (int i = 0; i < change.length; i++) {
@@ -134,18 +134,18 @@ public final class DenseRows {
         }
     }
 
-    /** Notes velocities and impulses. */
+    /** Records velocities and impulses. */
     public void begin() {
         velocitiesBefore = velocities();
         impulsesBefore = impulses();
     }
 
-    /** Velocities when that was. */
+    /** The recorded velocities. */
     public double[] before() {
         return velocitiesBefore;
     }
 
-    /** Since then velocities have changed by what impulses have, and by nothing else. */
+    /** Asserts that since the record velocities have changed by the changes of impulses alone. */
     public void assertImpulsesTellAll(double tolerance) {
         double[] impulses = impulses();
         for (int k = 0; k < impulses.length; k++) {

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.SplittableRandom;
 
-/** Places at random, and others at random after that. */
+/** Random places, and a second set of random places. */
 class DisplacementTest {
 
     private static final double ROUND_OFF = 1e-15;
@@ -24,7 +24,7 @@ class DisplacementTest {
         }
     }
 
-    /** To x₀ + s·(x − x₀), but velocities, masses and the ground stay. */
+    /** Places become x₀ + s·(x − x₀); velocities, masses and the ground stay. */
     @ParameterizedTest
     @ValueSource(ints = {1, 3, 40})
     void displacementsAreScaled(int count) {

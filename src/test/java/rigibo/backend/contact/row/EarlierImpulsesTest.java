@@ -16,7 +16,7 @@ class EarlierImpulsesTest {
     private final PackedIsland island = new PackedIsland();
     private final EarlierImpulses earlier = new EarlierImpulses(island.contacts);
 
-    /** More contacts than there was room for at first, each impulse another number. */
+    /** More contacts than the first capacity, each with another impulse. */
     @Test
     void whatWasPutAsideIsAddedToWhatCameSince() {
         island.begin(1);

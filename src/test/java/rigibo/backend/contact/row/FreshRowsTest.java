@@ -17,7 +17,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.DataStorage;
 
-/** Two discs of a metre that lie side by side, and where one is within the step. */
+/** Two discs of 1 m side by side, measured at their places within the step. */
 class FreshRowsTest {
 
     private final Pool pool = new Pool(Effects.of(new Contacts()), Accuracy.GAME);
@@ -50,7 +50,7 @@ class FreshRowsTest {
                         new SharedRows(null, contacts));
     }
 
-    /** Up and to the right of the other, √2 m from it. */
+    /** The disc is up and to the right of the other, √2 m away. */
     @Test
     void contactIsMeasuredWhereItsBodiesAreByNow() {
         motions.data[contacts.bodyB[row] + Motions.DX] = -1;
@@ -61,12 +61,12 @@ class FreshRowsTest {
         assertThat(data.pairs.separation[2 * pair]).isEqualTo(Math.sqrt(2) - 2, within(1e-12));
     }
 
-    /** The square of its distance is no number: a normal by that would be none either. */
+    /** The square of its distance is infinite, and would give no normal. */
     @ParameterizedTest
     @ValueSource(doubles = {1e155, 1e200, 1e308, Double.POSITIVE_INFINITY, Double.NaN})
     void whatIsTooFarAwayForADistanceIsNotMeasured(double x) {
         motions.data[contacts.bodyB[row] + Motions.DX] = x;
-        // As fast as got it there: it is within reach of anything.
+        // Its speed would take it there, so any place is within reach.
         motions.data[contacts.bodyB[row] + Motions.VX] = x;
         fresh.measure(row, 1);
         assertThat(data.pairs.normalX[pair]).isEqualTo(1);

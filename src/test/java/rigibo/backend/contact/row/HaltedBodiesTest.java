@@ -9,15 +9,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
-/**
- * Which driven bodies {@link RowBuilder} packs as if they stood still: those that press in vain.
- */
+/** Driven bodies that {@link RowBuilder} packs as at rest: those that press in vain. */
 class HaltedBodiesTest {
 
     private final StoredIsland island = StoredIsland.turning();
 
     /**
-     * A body of 1 m width on a press that rises at 1 m/s. It stands still there, as against the
+     * A body of 1 m width on a press that rises at 1 m/s. The press counts as at rest, like the
      * ground, if it is deep in a body that moves along at less than half of its speed.
      */
     @ParameterizedTest
@@ -41,13 +39,13 @@ class HaltedBodiesTest {
         assertThat(island.contacts.bodyB[0]).isNotZero();
     }
 
-    /** Seen from the other side, and by either of its points. */
+    /** With the bodies exchanged, and at either of the points. */
     @ParameterizedTest
     @CsvSource({"0, true", "2, true", "-2, true", "0.5, true"})
     void drivenBodyMayBeTheSecond(double spin, boolean isHalted) {
         int a = island.body(BodyDefinition.dynamic(Polygon.box(1, 1)).at(0, 1.5));
         int driven = island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, 1));
-        // Its middle goes along at 0.6 m/s; where it turns down it does not.
+        // Its centre moves along at 0.6 m/s; the point that turns downwards does not.
         island.bodies.velocityY[a] = spin == 0 ? 0.3 : 0.6;
         island.bodies.spin[a] = spin;
         int pair = island.contact(a, driven, -Math.PI / 2);
@@ -59,7 +57,7 @@ class HaltedBodiesTest {
         assertThat(island.contacts.bodyA[0]).isNotZero();
     }
 
-    /** A driven body that withdraws presses on nothing. */
+    /** A driven body that withdraws presses nothing. */
     @Test
     void drivenBodyThatWithdrawsIsNotHalted() {
         int driven = island.body(BodyDefinition.kinematic(Polygon.box(2, 2)).velocity(0, -1));

@@ -21,7 +21,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
-/** Forces that vary along the path, of packed bodies where they are by now. */
+/** Forces that vary along the path, for packed bodies at their present places. */
 class IslandForcesTest {
 
     private static final double ROUND_OFF = 1e-12;
@@ -56,7 +56,10 @@ class IslandForcesTest {
         motions.data[Motions.STRIDE + column] = value;
     }
 
-    /** Place and velocity in the world, where the frame goes along; mass and time. */
+    /**
+     * The force field is given the place and velocity in the world, although the frame moves; and
+     * mass and time.
+     */
     @Test
     void forceIsThatOfThePresentPlace() {
         declare(
@@ -78,15 +81,15 @@ class IslandForcesTest {
         assertThat(island.bodies.accelerationX[slot]).isEqualTo(9);
         assertThat(island.bodies.accelerationY[slot]).isEqualTo(5);
         assertThat(forces.change()).isEqualTo(5);
-        // The next one takes the place of this one, which has not changed.
+        // The next evaluation takes the place of this one, which has not changed.
         forces.refresh(motions, turns, 0.3, 0);
         assertThat(island.bodies.accelerationX[slot]).isEqualTo(9);
         assertThat(forces.change()).isZero();
     }
 
     /**
-     * −k·v, k·h of which would turn the velocity around if that is more than 1: the share 1/(k·h)
-     * stops it. The velocity is that in the world.
+     * With −k·v and k·h above 1 the velocity would be reversed: the share 1/(k·h) stops the body.
+     * The velocity is that in the world.
      */
     @ParameterizedTest
     @CsvSource({"2, 0.25", "4, 0.25", "8, 0.25", "400, 0.25"})
@@ -104,7 +107,7 @@ class IslandForcesTest {
         assertThat(forces.change()).isCloseTo(changed, within(1e-10));
     }
 
-    /** A pull that grows with speed is whole. */
+    /** A force that accelerates the body is applied in full. */
     @Test
     void whatSpeedsUpIsNotBraked() {
         declare(at -> at.accelerate(9 * at.velocityX, 0));
@@ -132,7 +135,7 @@ class IslandForcesTest {
         assertThat(island.bodies.pullX[slot]).isZero();
     }
 
-    /** Water lifts and turns a tilted box as it does in flight, in its present place. */
+    /** Water lifts and turns a tilted box as in flight, at its present place. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void waterTurnsWhatIsTilted(boolean isPacked) {
@@ -164,7 +167,7 @@ class IslandForcesTest {
         assertThat(forces.change()).isCloseTo(most, within(1e-9));
     }
 
-    /** As often as kicks follow each other the force is asked for, until it changes. */
+    /** Consecutive kicks evaluate the force again, until it changes. */
     @Test
     void kicksAreSteadyWhileTheForceIs() {
         double[] times = {0, Double.POSITIVE_INFINITY};

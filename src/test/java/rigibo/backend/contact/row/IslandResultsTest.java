@@ -11,14 +11,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.BodyDefinition;
 
-/** A box on another one, and what remains of a step of 0.1 s in substeps of 0.02 s. */
+/** A box on another one, and the results of a step of 0.1 s in substeps of 0.02 s. */
 class IslandResultsTest {
 
     private static final double H = 0.02;
     private static final double LENGTH = 0.1;
     private static final double ROUND_OFF = 1e-14;
 
-    /** The contact's row; the first is that of another box. */
+    /** The contact's row; the first row belongs to another box. */
     private static final int ROW = 1;
 
     private final StoredIsland island = StoredIsland.turning();
@@ -73,9 +73,9 @@ class IslandResultsTest {
         assertThat(island.bodies.angle[upper]).isCloseTo(angle, within(ROUND_OFF));
         assertThat(island.bodies.cos[upper]).isCloseTo(Math.cos(angle), within(ROUND_OFF));
         assertThat(island.bodies.sin[upper]).isCloseTo(Math.sin(angle), within(ROUND_OFF));
-        // What did not turn is not aimed anew.
+        // Bodies that did not turn keep cosine and sine.
         assertThat(island.bodies.cos[lower]).isEqualTo(7);
-        // Nobody but the step itself moves a driven body.
+        // Only the step itself moves a driven body.
         assertThat(island.bodies.x[driven]).isEqualTo(9);
         assertThat(island.bodies.y[driven]).isEqualTo(9);
         assertThat(island.bodies.velocityX[driven]).isEqualTo(1);
@@ -101,7 +101,7 @@ class IslandResultsTest {
         assertThat(contacts.work.crushed).isZero();
     }
 
-    /** A step longer than the memory leaves nothing of the mean. */
+    /** A step longer than the memory leaves nothing of the former mean. */
     @Test
     void longStepForgetsEarlierLoads() {
         island.pairs.load[2 * pair] = 100;
@@ -119,7 +119,7 @@ class IslandResultsTest {
         assertThat(island.pairs.resting[pair]).isEqualTo(touches);
     }
 
-    /** The row of two points that are nearly one carries for the deeper. */
+    /** The row of two points that are nearly one carries for the deeper one. */
     @ParameterizedTest
     @CsvSource({"-0.001, -0.002, 1", "-0.002, -0.001, 0", "-0.001, -0.001, 0"})
     void oneRowOfTwoPointsStandsForTheDeeper(double gap0, double gap1, int carrying) {

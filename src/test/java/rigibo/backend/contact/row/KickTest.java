@@ -11,7 +11,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.storage.Bodies;
 
-/** Two bodies of 2 kg and ½ kg in slots of their own, the second of which joined after 0.1 s. */
+/** Two bodies of 2 kg and ½ kg in slots of their own; the second joined after 0.1 s. */
 class KickTest {
 
     private static final double ROUND_OFF = 1e-14;
@@ -37,7 +37,7 @@ class KickTest {
         bodies.pileTime[2] = 0.1;
     }
 
-    /** v += a·t; who joined meanwhile is kicked from then on, and who is driven never. */
+    /** v += a·t. A body that joined meanwhile is kicked from then on, a driven body never. */
     @Test
     void velocitiesGrowByTheirAccelerations() {
         kick.remember();
@@ -51,7 +51,7 @@ class KickTest {
         assertThat(dense.velocities()).containsExactly(truth, within(ROUND_OFF));
     }
 
-    /** Before it has joined nothing kicks a body. */
+    /** A body is not kicked before it has joined. */
     @Test
     void whatHasNotJoinedIsNotKicked() {
         kick.remember();
@@ -62,7 +62,7 @@ class KickTest {
         assertThat(kick.length(2 * Motions.STRIDE)).isZero();
     }
 
-    /** What contacts gave since counts in the gain per second of the kick. */
+    /** Impulses of contacts since then count in the gain per second of the kick. */
     @Test
     void gainIsMeasuredPerSecondOfTheKick() {
         island.motions.data[Motions.STRIDE + Motions.VX] = 7;
@@ -77,7 +77,7 @@ class KickTest {
         assertThat(kick.gained(3 * Motions.STRIDE, Motions.VY)).isZero();
     }
 
-    /** The greatest acceleration along an axis, and Σ m·a²·h²/2 of what can be moved. */
+    /** The greatest component of the accelerations, and Σ m·a²·h²/2 of all movable bodies. */
     @Test
     void strengthAndEnergyOfAKick() {
         assertThat(kick.strongest()).isEqualTo(10);
@@ -94,7 +94,7 @@ class KickTest {
         assertThat(kick.isSteady(0, 0.1, 4, 0)).isTrue();
     }
 
-    /** Packed spins and their masses come from the columns, and go back to them. */
+    /** Spins and inertias are packed from the columns and written back. */
     @Test
     void turningIsPackedAndStored() {
         bodies.spin[2] = 5;

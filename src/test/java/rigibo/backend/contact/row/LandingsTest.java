@@ -16,9 +16,9 @@ import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.storage.Bodies;
 
 /**
- * A body of two metres that falls onto the ground with g. Half the gap that counts as landed, 50 µm
- * here, is left when a landing is predicted: then v·t + g·t²/2 is the rest of the gap, where g is
- * an upper bound until loads are known.
+ * A body of two metres falls onto the ground with g. A landing is predicted to leave half the gap
+ * that counts as landed, 50 µm here: then v·t + g·t²/2 is the rest of the gap, where g is an upper
+ * bound until loads are known.
  */
 class LandingsTest {
 
@@ -74,7 +74,7 @@ class LandingsTest {
         return landings.untilNext(H, most);
     }
 
-    /** Loads may double the pull: v·t + g·t² is the way. */
+    /** Loads may double the acceleration: v·t + g·t² is the way. */
     @ParameterizedTest
     @CsvSource({"0, 2, 0.03", "1, 2, 0.03", "0, 0, 0.05", "1, -0.1, 0.06"})
     void firstPartEndsWhenTheBodyMayLand(int point, double speed, double time) {
@@ -83,7 +83,9 @@ class LandingsTest {
         assertThat(next(FOREVER)).isCloseTo(time, within(ROUND_OFF));
     }
 
-    /** The earlier of two, and no later than the caller wants or the substep lasts. */
+    /**
+     * The earlier of two landings, but no later than the caller's limit or the end of the substep.
+     */
     @Test
     void earliestLandingEndsThePart() {
         fall(2);
@@ -94,17 +96,19 @@ class LandingsTest {
         gap(0, 1e3);
         gap(1, 1e3);
         assertThat(next(FOREVER)).isEqualTo(H);
-        // What touches already does not land.
+        // A point that touches already does not land.
         gap(0, NEAR);
         assertThat(next(FOREVER)).isEqualTo(H);
     }
 
-    /** At a constant speed; a hundredth of what g does in a substep, 0.01 m/s, does not count. */
+    /**
+     * At a constant speed. A hundredth of the change by g in a substep, 0.01 m/s, does not count.
+     */
     @ParameterizedTest
     @CsvSource({"0.0101, true", "0.0099, false"})
     void softLandingsDoNotCount(double speed, boolean counts) {
         next(0.02);
-        // Its load takes back nine tenths of g: a tenth is the allowance.
+        // Its load balances nine tenths of g: a tenth is the allowance.
         fall(speed + 0.1 * G * 0.02);
         next(0.02);
         fall(speed);
@@ -113,7 +117,7 @@ class LandingsTest {
         assertThat(next(FOREVER)).isCloseTo(counts ? time : H, within(ROUND_OFF));
     }
 
-    /** Without a strike the next part goes on as the last did, with a tenth of g more. */
+    /** Without a strike the next part continues the last one, with a tenth of g more. */
     @Test
     void laterPartsGoOnAsTheLastOne() {
         motions.data[2 * Motions.STRIDE + Motions.VY] = 0.25;
@@ -122,7 +126,7 @@ class LandingsTest {
         assertThat(next(0.02)).isEqualTo(0.02);
         fall(0.1);
         assertThat(next(0.02)).isEqualTo(0.02);
-        // Both kicks have half a part: 0.02 s; both bodies have gained, and so has the spin.
+        // Both kicks last half a part, 0.02 s; both bodies have gained speed, and also spin.
         fall(0.1 + 0.06);
         motions.data[2 * Motions.STRIDE + Motions.VY] = 0.25 + 0.05;
         motions.data[Motions.STRIDE + Motions.SPIN] = -0.04;
@@ -133,7 +137,7 @@ class LandingsTest {
         assertThat(next(FOREVER)).isCloseTo(time, within(ROUND_OFF));
     }
 
-    /** More than twice g is a strike, after which loads are unknown again. */
+    /** A gain of more than twice g is a strike, after which loads are unknown again. */
     @ParameterizedTest
     @CsvSource({"0.39, false", "0.41, true"})
     void struckBodyMayFallTwiceAsFast(double gained, boolean isStruck) {
@@ -149,7 +153,7 @@ class LandingsTest {
         assertThat(next(FOREVER)).isCloseTo(time, within(ROUND_OFF));
     }
 
-    /** The part after the first counts as begun by a landing. */
+    /** The part after the first counts as one after a landing. */
     @Test
     void firstGainIsNotKnownEither() {
         fall(0);
@@ -161,7 +165,7 @@ class LandingsTest {
         assertThat(next(FOREVER)).isCloseTo(time, within(ROUND_OFF));
     }
 
-    /** At the 64th the rest of the substep is one part. */
+    /** The 64th part takes the rest of the substep. */
     @Test
     void partsOfASubstepAreLimited() {
         fall(1);
@@ -177,7 +181,7 @@ class LandingsTest {
         return Accuracy.GAME.withImpacts(ImpactMode.SPLIT);
     }
 
-    /** Only of few bodies that are all there, with impacts in the order of time. */
+    /** Only for few bodies that are all present, with impacts in time order. */
     @Test
     void crowdsAndLateJoinersAreNotCut() {
         assertThat(landings.areLookedFor()).isTrue();
@@ -197,7 +201,10 @@ class LandingsTest {
         assertThat(landings.areLookedFor()).isFalse();
     }
 
-    /** Its width away until it is closed, so that it carries nothing of the kick that ends. */
+    /**
+     * A landed point is put a width away until it is closed, so that it carries nothing of the kick
+     * that ends.
+     */
     @Test
     void landedPointIsAsideUntilItIsClosed() {
         gap(0, 0.02);
@@ -212,7 +219,7 @@ class LandingsTest {
         landings.close();
         assertThat(gap(1)).isCloseTo(0, within(1e-15));
         assertThat(gap(0)).isCloseTo(0.00985, within(ROUND_OFF));
-        // The next part begins with the present velocities, and what was there is no landing.
+        // The next part begins with the present velocities, and a point that touched is no landing.
         assertThat(landings.haveLanded(H)).isFalse();
         next(0.01);
         assertThat(landings.haveLanded(H)).isFalse();
@@ -244,7 +251,7 @@ class LandingsTest {
         assertThat(landings.haveLanded(H)).isFalse();
     }
 
-    /** A gap within the tolerance that carries, and did not open by turning. */
+    /** A gap within the tolerance that carries, and that turning did not open. */
     @ParameterizedTest
     @CsvSource({
         "0.00009, 1, 0, 0",
@@ -287,7 +294,7 @@ class LandingsTest {
         assertThat(gap(0)).isEqualTo(9e-5);
     }
 
-    /** More contacts than there is room for at first. */
+    /** There are more contacts than the first capacity. */
     @Test
     void everyPointMayLand() {
         for (int i = 0; i < 20; i++) {

@@ -15,7 +15,9 @@ import rigibo.backend.storage.Islands;
 
 import java.util.Arrays;
 
-/** Bodies that join within a step of substeps of 0.1 s: 1 at its start, 2 after 0.37 s. */
+/**
+ * Bodies that join within a step of substeps of 0.1 s: body 1 at its start, body 2 after 0.37 s.
+ */
 class LateJoinersTest {
 
     private static final double H = 0.1;
@@ -80,7 +82,7 @@ class LateJoinersTest {
         assertThat(joiners.startOf(islands, 1)).isEqualTo(LATE);
     }
 
-    /** At 2 m/s it is where it joins when it joins, 0.27 s after the island's start. */
+    /** At 2 m/s the body is at its joining place when it joins, 0.27 s after the island's start. */
     @Test
     void bodyGoesStraightToWhereItJoins() {
         joiners.delay(0.1, H);
@@ -88,7 +90,7 @@ class LateJoinersTest {
         assertThat(of(2, Motions.DY)).isCloseTo(0.27 * 3, within(ROUND_OFF));
         assertThat(of(2, Motions.TURN)).isCloseTo(-0.27 * 5, within(ROUND_OFF));
         assertThat(of(1, Motions.DX)).isZero();
-        // A driven body is where the step began, 0.1 s before.
+        // A driven body is at its place of the step's start, 0.1 s before.
         assertThat(of(3, Motions.DX)).isCloseTo(0.1 * 2, within(ROUND_OFF));
         assertRowsJoinIn(2);
     }
@@ -103,7 +105,9 @@ class LateJoinersTest {
         assertThat(impulse(2)).isZero();
     }
 
-    /** An island that is advanced anew, in other substeps, delays it from the same place again. */
+    /**
+     * When an island is solved again in other substeps, the body is delayed from the same place.
+     */
     @Test
     void bodyIsDelayedAnew() {
         joiners.delayToSubsteps(0.2);
@@ -115,7 +119,10 @@ class LateJoinersTest {
         bodyGoesOnItsParabolaFromTheSubstepInWhichItJoins();
     }
 
-    /** Three substeps straight on, then 0.07 s with its acceleration: where and as it joins. */
+    /**
+     * Three substeps straight on, then 0.07 s with its acceleration lead to place and velocity at
+     * its joining.
+     */
     @Test
     void bodyGoesOnItsParabolaFromTheSubstepInWhichItJoins() {
         joiners.delayToSubsteps(H);
@@ -135,7 +142,7 @@ class LateJoinersTest {
         assertRowsJoinIn(3);
     }
 
-    /** What all bodies have from the start is left alone. */
+    /** Bodies present from the start are left alone. */
     @Test
     void withoutLateJoinersNothingChanges() {
         bodies.pileTime[2] = 0;
@@ -147,7 +154,7 @@ class LateJoinersTest {
         assertThat(impulse(1)).isEqualTo(1);
     }
 
-    /** Also of a body whose partner was late, too: both are there in the later substep. */
+    /** If both bodies of a contact are late, both are present in the later substep. */
     @Test
     void laterOfTwoDecides() {
         bodies.pileTime[1] = 0.15;

@@ -59,7 +59,7 @@ class LockedAxesTest {
         assertThat(locked.areAny()).isTrue();
     }
 
-    /** A driven body goes where it is driven. */
+    /** A driven body follows its own motion. */
     @Test
     void drivenBodiesAreNotHeld() {
         int driven = island.body(BodyDefinition.kinematic(Polygon.box(1, 1)).velocity(2, 0));

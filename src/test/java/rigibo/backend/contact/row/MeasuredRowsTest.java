@@ -16,7 +16,9 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.Need;
 import rigibo.backend.storage.Pairs;
 
-/** {@link FreshRows} and {@link BentRows}: which contacts are measured again, and how. */
+/**
+ * {@link FreshRows} and {@link BentRows}: the contacts that are measured again, and the results.
+ */
 class MeasuredRowsTest {
 
     private static final double ROUND_OFF = 1e-12;
@@ -48,7 +50,7 @@ class MeasuredRowsTest {
     private int pair;
     private int row;
 
-    /** A below B, and a third body beside A, whose contact is the first. */
+    /** Puts A below B, and a third body beside A, whose contact is the first row. */
     private void lay(Convex shapeA, Convex shapeB, double x, double y) {
         a = island.body(BodyDefinition.dynamic(shapeA));
         b = island.body(BodyDefinition.dynamic(shapeB).at(x, y));
@@ -78,7 +80,7 @@ class MeasuredRowsTest {
         contacts.data[row * PackedContacts.STRIDE + column] = value;
     }
 
-    /** Where both are by now, turned by as much as they have been. */
+    /** At the present places of both bodies, turned as far as they have turned. */
     @Test
     void contactIsMeasuredAtPresentPoses() {
         boxes(0.2, 1);
@@ -103,7 +105,7 @@ class MeasuredRowsTest {
         assertThat(of(PackedContacts.RECOVERY)).isEqualTo(50);
     }
 
-    /** A point that is still there keeps its impulses, whichever place it has in the list. */
+    /** A point that persists keeps its impulses, whatever its index. */
     @Test
     void pointsKeepTheirImpulses() {
         boxes(0.2, 1);
@@ -122,7 +124,7 @@ class MeasuredRowsTest {
         assertThat(of(PackedContacts.BEFORE1)).isEqualTo(isFirst ? 5 : 4);
     }
 
-    /** Impulses go along with the points that the manifold takes for the same ones. */
+    /** Impulses follow the points that the manifold identifies. */
     @Test
     void impulsesGoWithTheirPoints() {
         lay(Polygon.box(1, 1), Polygon.box(4, 1), 0, 1);
@@ -143,7 +145,10 @@ class MeasuredRowsTest {
         }
     }
 
-    /** A second point within twice the speed in the rest of the step and a width of A, 0.2 m. */
+    /**
+     * A second point within twice the way at the speed in the rest of the step, and A's width, 0.2
+     * m.
+     */
     @ParameterizedTest
     @CsvSource({"0, 0, 0, 1", "1.2, 0, 0, 1", "1.3, 0, 0, 1", "1.65, 0, 0, 2", "0, 1.65, 0, 2"})
     void pointsMayBeAsFarAsBodiesReach(double vx, double vy, double spin, int points) {
@@ -152,12 +157,12 @@ class MeasuredRowsTest {
         set(b, Motions.VX, vx);
         set(b, Motions.VY, vy);
         set(b, Motions.SPIN, spin);
-        // Its other end is 4·sin 0.13 = 0.52 m up; 1.6 m/s reach it in 0.1 s.
+        // The other end is 4·sin 0.13 = 0.52 m up; 1.6 m/s reach it in 0.1 s.
         fresh.measure(row, 0.1);
         assertThat(contacts.points[row]).isEqualTo(points);
     }
 
-    /** 1.6 m/s of the ends of both, however they turn. */
+    /** The ends of both bodies move at 1.6 m/s, whichever way they turn. */
     @ParameterizedTest
     @CsvSource({"0.82, 0, 2", "0.78, 0, 1", "0, 0.42, 2", "0, 0.38, 1", "-0.41, 0.21, 2"})
     void turningReachesAsWell(double spinB, double spinA, int points) {
@@ -169,7 +174,7 @@ class MeasuredRowsTest {
         assertThat(contacts.points[row]).isEqualTo(points);
     }
 
-    /** A hundredth of a width, and twice the speed of 1 + 2 m/s in a hundredth of a second. */
+    /** A hundredth of a width, and twice the way at 1 + 2 m/s in a hundredth of a second. */
     @ParameterizedTest
     @CsvSource({"0.069, true", "0.071, false", "-1, true"})
     void contactsMayCloseAtTwiceTheirSpeed(double gap, boolean mayClose) {
@@ -185,7 +190,9 @@ class MeasuredRowsTest {
         assertThat(fresh.mayClose(row, 0.01)).isEqualTo(mayClose);
     }
 
-    /** What may come over the end of an edge is where it is beside it, less what both moved. */
+    /**
+     * A body that may come over the end of an edge has its gap beside it, less the motion of both.
+     */
     @ParameterizedTest
     @CsvSource({"0.009, 0, true", "0.011, 0, false", "0.031, 0.01, true", "0.049, 0.01, false"})
     void awaitedContactsMayCloseBesideAnEdge(double beside, double way, boolean mayClose) {
@@ -201,7 +208,7 @@ class MeasuredRowsTest {
         assertThat(fresh.mayClose(row, 0)).isEqualTo(mayClose);
     }
 
-    /** A disc that joins 0.3 s after the substep began is measured where it will be by then. */
+    /** A disc that joins 0.3 s after the substep's start is measured at its place there. */
     @Test
     void lateJoinersAreMeasuredWhereTheyJoin() {
         lay(new Circle(1), new Circle(1), -0.3, 2.1);
@@ -215,10 +222,10 @@ class MeasuredRowsTest {
         double distance = Math.hypot(0.3, 2.1);
         assertThat(island.pairs.normalX[pair]).isCloseTo(0.3 / distance, within(ROUND_OFF));
         assertThat(island.pairs.separation[2 * pair]).isCloseTo(distance - 2, within(ROUND_OFF));
-        // By then the gap will be what was measured, which is that of now less 0.6 m along n.
+        // Then the gap is the measured one: the present gap less 0.6 m along n.
         motions.drift(0.3);
         assertThat(motions.gap(contacts, row, 0)).isCloseTo(distance - 2, within(ROUND_OFF));
-        // Who joined before the substep is measured where it is.
+        // A body that joined before the substep is measured at its present place.
         assertThat(fresh.measureJoining(3, 0.9, 0.1)).isTrue();
         assertThat(island.pairs.normalX[pair]).isCloseTo(0.3 / distance, within(ROUND_OFF));
         assertThat(fresh.measureJoining(4, 0.9, 0.1)).isFalse();
@@ -235,7 +242,7 @@ class MeasuredRowsTest {
                 .isCloseTo(-0.2 / Math.hypot(0.2, 2.1), within(ROUND_OFF));
     }
 
-    /** Turning outlines are measured before every part, but those of the start are known. */
+    /** Turning outlines are measured before every part; those of the start are known. */
     @ParameterizedTest
     @CsvSource({
         "0, true, false",
@@ -266,7 +273,7 @@ class MeasuredRowsTest {
         assertThat(bent.untilNewPoints()).isEqualTo(Double.POSITIVE_INFINITY);
     }
 
-    /** An edge that something may come over is measured if it may be there in the step. */
+    /** An edge that a body may come over is measured if the body may be there in the step. */
     @ParameterizedTest
     @CsvSource({"0.005, true", "0.5, false"})
     void awaitedContactsAreMeasuredIfTheyMayClose(double beside, boolean isMeasured) {
@@ -279,7 +286,7 @@ class MeasuredRowsTest {
         assertThat(bent.isAnyBent()).isFalse();
     }
 
-    /** ½ω²h² of its arm; straight again when it does not turn any more. */
+    /** ½ω²h² of its arm; straight again after it stops turning. */
     @Test
     void turningBendsUntilItEnds() {
         boxes(0.2, 1);
@@ -297,7 +304,7 @@ class MeasuredRowsTest {
         assertThat(contacts.surface[row]).isZero();
     }
 
-    /** A disc that rounds another one: √(ρ² + s²) − ρ of the time in which gaps may close. */
+    /** A disc that moves around another one: √(ρ² + s²) − ρ in the time in which gaps may close. */
     @Test
     void curvedContactsOpenInTheTimeInWhichTheyMayClose() {
         lay(new Circle(1), new Circle(1), 0, 2);
@@ -309,7 +316,7 @@ class MeasuredRowsTest {
         assertThat(bent.untilNewPoints()).isEqualTo(Double.POSITIVE_INFINITY);
     }
 
-    /** Half of B is on A once it has gone 0.4 m more, at 4 m/s; see {@link CurvedRowsTest}. */
+    /** Half of B is on A after 0.4 m more, at 4 m/s; see {@link CurvedRowsTest}. */
     @Test
     void boxThatComesOverAnEndHasOnePointForATime() {
         lay(Polygon.box(2, 1), Polygon.box(1, 1), -1.4, 1);

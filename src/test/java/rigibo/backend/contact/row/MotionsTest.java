@@ -14,7 +14,7 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 
-/** Packed bodies and contacts at random, against their written-out rows. */
+/** Random packed bodies and contacts, compared with their written-out rows. */
 class MotionsTest {
 
     private static final double ROUND_OFF = 1e-13;
@@ -33,7 +33,7 @@ class MotionsTest {
         }
     }
 
-    /** Gaps and speeds of both points, of the tangent, and responses: rows times columns. */
+    /** Gaps and speeds of both points and of the tangent, and responses: rows times columns. */
     @Test
     void gapsAndSpeedsFollowTheirRows() {
         SplittableRandom random = new SplittableRandom(1);
@@ -77,7 +77,7 @@ class MotionsTest {
         }
     }
 
-    /** Rows numbered singly are the same ones. */
+    /** Rows numbered one by one are the rows of contacts. */
     @Test
     void singleRowsAreTheRowsOfContacts() {
         SplittableRandom random = new SplittableRandom(2);
@@ -131,7 +131,7 @@ class MotionsTest {
         assertThat(dense.displacements()).isEqualTo(places);
     }
 
-    /** Σ m·v²/2 + I·ω²/2 of what can be moved; masses and their ratio likewise. */
+    /** Σ m·v²/2 + I·ω²/2 of all movable bodies; masses and their ratio likewise. */
     @Test
     void energyAndMassesAreThoseOfMovableBodies() {
         island.begin(3);
@@ -144,7 +144,7 @@ class MotionsTest {
             m[entry * Motions.STRIDE + Motions.VY] = -4;
             m[entry * Motions.STRIDE + Motions.SPIN] = 2;
         }
-        // 2 kg and 4 kg·m², 1/4 kg that does not turn, and one that is driven.
+        // 2 kg and 4 kg·m²; 1/4 kg that does not turn; and a driven body.
         assertThat(motions.energy(m)).isCloseTo(25 + 8 + 25.0 / 8, within(ROUND_OFF));
         assertThat(motions.mass()).isCloseTo(2.25, within(ROUND_OFF));
         assertThat(motions.massRatio()).isCloseTo(8, within(ROUND_OFF));
@@ -158,7 +158,7 @@ class MotionsTest {
         assertThat(motions.massRatio()).isEqualTo(1);
     }
 
-    /** How far the outline got at most: by both axes and by the turn at its reach. */
+    /** Upper bound on the way of the outline: along both axes and by the turn at its radius. */
     @Test
     void movedBoundsTheWayOfTheOutline() {
         island.begin(1);
@@ -174,7 +174,7 @@ class MotionsTest {
         }
     }
 
-    /** A body is packed once; what stands still is the ground. */
+    /** A body is packed once; bodies at rest count as the ground. */
     @Test
     void bodiesArePackedOnce() {
         bodies.type[3] = BodyType.DYNAMIC;
@@ -204,7 +204,7 @@ class MotionsTest {
         assertThat(motions.isAnyDriven).isFalse();
     }
 
-    /** From where it is, along its velocity, and with the frame since the step began. */
+    /** From the present place along the velocity, in the frame since the step's start. */
     @Test
     void placesArePredicted() {
         island.begin(1);
@@ -235,7 +235,7 @@ class MotionsTest {
         assertThat(motions.areFew()).isTrue();
     }
 
-    /** Displacements since a moment are told and scaled, body by body or all at once. */
+    /** Displacements since a moment are read and scaled, body by body or all at once. */
     @Test
     void displacementsAreScaled() {
         SplittableRandom random = new SplittableRandom(4);

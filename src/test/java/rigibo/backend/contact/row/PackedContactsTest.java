@@ -14,7 +14,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.KeptOverlap;
 
-/** What is asked of all contacts of an island at once, and how much overlap is taken back. */
+/** Questions about all contacts of an island at once, and the overlap to be removed. */
 class PackedContactsTest {
 
     private static final double ROUND_OFF = 1e-14;
@@ -30,7 +30,7 @@ class PackedContactsTest {
         }
     }
 
-    /** 64 of 3 rows each are eliminated; of more only four a body count. */
+    /** Up to 64 contacts of 3 rows each are eliminated; of more contacts only four a body count. */
     @Test
     void crowdsAreWhatEliminationDoesNotTake() {
         lay(64);
@@ -59,7 +59,7 @@ class PackedContactsTest {
         assertThat(contacts.areFloating()).isTrue();
     }
 
-    /** Each stands on two: of 8 contacts of two bodies 4 carry, of 3 all. */
+    /** Each body stands on two: of 8 contacts of two bodies 4 carry, of 3 all. */
     @Test
     void aShareOfContactsIsLoaded() {
         lay(2);
@@ -97,7 +97,7 @@ class PackedContactsTest {
         assertThat(contacts.carries(0, 1)).isTrue();
     }
 
-    /** All four impulses of a contact are scaled, added up and taken away together. */
+    /** All four impulses of a contact are scaled, added and removed together. */
     @Test
     void impulsesGoTogether() {
         lay(3);
@@ -138,7 +138,7 @@ class PackedContactsTest {
         assertThat(contacts.lastJoining).isEqualTo(PackedContacts.ALWAYS);
     }
 
-    /** The arms r of a point are such that r × n and r × t are its levers. */
+    /** With the arms r of a point, r × n and r × t are its levers. */
     @Test
     void pointsHaveTheArmsOfTheirLevers() {
         lay(1);
@@ -168,7 +168,7 @@ class PackedContactsTest {
     }
 
     /**
-     * The share r·h/(1 + r·h) of what is more than is kept, at no more than so many widths a
+     * The share r·h/(1 + r·h) of the overlap that is not kept, at a greatest rate in widths a
      * second.
      */
     @Test
@@ -182,12 +182,12 @@ class PackedContactsTest {
         assertThat(Recovery.opens(contacts, 0, -0.01, 1e-3, 0.1, 0.02))
                 .isCloseTo(0.004, within(ROUND_OFF));
         assertThat(Recovery.opens(contacts, 0, -0.0019, 1e-3, 0.1, 9)).isZero();
-        // Of that overlap so much is taken back in a step.
+        // Removed from that overlap in a step.
         double all = Recovery.overlapOf(1e-6, 0.1);
         assertThat(all * 2.5 / 3.5).isCloseTo(1e-6, within(1e-18));
     }
 
-    /** Ten times the tolerance of impacts in a crowd, within bounds; twice that if it is calm. */
+    /** Ten times the tolerance of impacts in a crowd, within bounds; twice that in a calm one. */
     @Test
     void crowdsKeepMore() {
         Accuracy fine = Accuracy.GAME.withImpactTolerance(2e-5);
@@ -199,7 +199,10 @@ class PackedContactsTest {
         assertThat(KeptOverlap.of(true, Accuracy.GAME.withImpactTolerance(1e-9))).isEqualTo(1e-5);
     }
 
-    /** Kick times pull, and what its contacts gave it; friction counts whichever way it goes. */
+    /**
+     * The kick's length times the pull, and the impulses of the body's contacts; friction counts in
+     * either direction.
+     */
     @Test
     void ownLoadsAreThoseOfTheBodyAlone() {
         Bodies bodies = new Bodies(Effects.of(new Contacts(), new Rotation()));

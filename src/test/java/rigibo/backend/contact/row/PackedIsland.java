@@ -3,13 +3,13 @@ package rigibo.backend.contact.row;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 
-/** An island that is packed by hand: bodies of which each lies on another, or on the ground. */
+/** An island packed by hand: each body lies on another one or on the ground. */
 public final class PackedIsland {
 
     public final Motions motions = new Motions(true);
     public final PackedContacts contacts = new PackedContacts();
 
-    /** Empties it, and makes room for so many bodies. */
+    /** Empties it and makes room for a number of bodies. */
     public void begin(int bodies) {
         contacts.clear(bodies);
         motions.count = bodies + 1;
@@ -32,19 +32,21 @@ public final class PackedIsland {
         contacts.data[row * PackedContacts.STRIDE + column] = value;
     }
 
-    /** A body whose outline reaches one metre. */
+    /** Adds a body with a radius of one metre. */
     public void body(int entry, double inverseMass, double inverseInertia) {
         motions.data[entry * Motions.STRIDE + Motions.INVERSE_MASS] = inverseMass;
         motions.data[entry * Motions.STRIDE + Motions.INVERSE_INERTIA] = inverseInertia;
         motions.reach[entry] = 1;
     }
 
-    /** On the ground, with points so far to the left and to the right of its centre, m. */
+    /**
+     * Adds a contact with the ground, with points to the left and to the right of the centre, m.
+     */
     public int onGround(int entry, double left, double right) {
         return contact(0, entry, left, right);
     }
 
-    /** B on A, with points so far to the left and to the right of both centres, m. */
+    /** Adds a contact of B on A, with points to the left and to the right of both centres, m. */
     public int contact(int entryA, int entryB, double left, double right) {
         int row = contacts.add();
         int at = row * PackedContacts.STRIDE;
@@ -66,7 +68,7 @@ public final class PackedIsland {
         d[at + PackedContacts.K00] = k00;
         d[at + PackedContacts.K01] = k01;
         d[at + PackedContacts.K11] = k11;
-        // Of bodies that do not turn both points are one.
+        // For bodies that do not turn both points are one.
         contacts.points[row] = determinant > 0 ? 2 : 1;
         d[at + PackedContacts.M00] = determinant > 0 ? k11 / determinant : 1 / k00;
         d[at + PackedContacts.M01] = -k01 / determinant;
@@ -74,7 +76,7 @@ public final class PackedIsland {
         return row;
     }
 
-    /** Bodies of any mass and inertia, with any velocities. */
+    /** Adds bodies of any mass and inertia, with any velocities. */
     public void bodies(SplittableRandom random, int count) {
         begin(count);
         for (int entry = 1; entry <= count; entry++) {
@@ -85,7 +87,7 @@ public final class PackedIsland {
         }
     }
 
-    /** A contact along any normal, with any levers, whose two points are not one. */
+    /** Adds a contact with any normal and levers, whose two points are distinct. */
     public int contact(SplittableRandom random, int entryA, int entryB) {
         int row = contact(entryA, entryB, random.nextDouble(0.2, 1), random.nextDouble(0.2, 1));
         double[] d = contacts.data;
@@ -93,7 +95,7 @@ public final class PackedIsland {
         double angle = random.nextDouble(-3, 3);
         d[at + PackedContacts.NX] = Math.cos(angle);
         d[at + PackedContacts.NY] = Math.sin(angle);
-        // Other levers on A: what turns A does not turn B by as much.
+        // Other levers on A, so that A and B turn differently.
         double shift = random.nextDouble(-0.3, 0.3);
         d[at + PackedContacts.LEVER_A0] += shift;
         d[at + PackedContacts.LEVER_A1] += shift;
@@ -103,7 +105,7 @@ public final class PackedIsland {
         return row;
     }
 
-    /** Lets the surface of a contact run, m/s. */
+    /** Sets the speed of a contact's surface, m/s. */
     public void run(int row, double speed) {
         contacts.surface[row] = speed;
         contacts.running[row] = speed;

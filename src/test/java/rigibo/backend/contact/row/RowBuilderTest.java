@@ -16,10 +16,12 @@ import rigibo.backend.setup.BodyDefinition;
 
 import java.util.SplittableRandom;
 
-/** Rows of contacts with any normal, points and bodies, against velocities of material points. */
+/**
+ * Rows of contacts with any normal, points and bodies, compared with velocities of material points.
+ */
 class RowBuilderTest {
 
-    /** Of numbers up to 10. */
+    /** Round-off of numbers up to 10. */
     private static final double ROUND_OFF = 1e-13;
 
     private static final double KICK = 0.01;
@@ -41,7 +43,7 @@ class RowBuilderTest {
         builder.build(0, KICK);
     }
 
-    /** Velocity along (nx, ny) of the material point of a packed body at a point. */
+    /** Velocity along (nx, ny) of the material point of a packed body at a place. */
     private double along(int slot, double px, double py, double nx, double ny) {
         int at = motions.offset(island.bodies, slot);
         double spin = motions.data[at + Motions.SPIN];
@@ -59,7 +61,10 @@ class RowBuilderTest {
         }
     }
 
-    /** n·(vB + ωB × rB − vA − ωA × rA) at both points, and so along the tangent at the nearer. */
+    /**
+     * n·(vB + ωB × rB − vA − ωA × rA) at both points, and likewise along the tangent at the nearer
+     * one.
+     */
     @Test
     void speedsAreThoseOfMaterialPoints() {
         SplittableRandom random = new SplittableRandom(1);
@@ -95,7 +100,9 @@ class RowBuilderTest {
         }
     }
 
-    /** K is the answer of both points to unit impulses, with 10⁻¹⁰ of the first more; M is K⁻¹. */
+    /**
+     * K is the response of both points to unit impulses, with 10⁻¹⁰ of the first more; M is K⁻¹.
+     */
     private void assertMassesInvert() {
         double k00 = response(0, 0);
         double k01 = response(0, 1);
@@ -114,7 +121,7 @@ class RowBuilderTest {
         assertThat(k01 * m01 + (k11 + give) * m11).isCloseTo(1, within(1e-11));
     }
 
-    /** Speed at one point that an impulse of 1 N·s at another gives. */
+    /** Speed of one point by an impulse of 1 N·s at another. */
     private double response(int point, int other) {
         DenseRows dense = new DenseRows(packed());
         return dense.response(0, point, 0, other);
@@ -131,7 +138,7 @@ class RowBuilderTest {
         return copy;
     }
 
-    /** Halfway between two points of the same depth, or at the only one. */
+    /** Half way between two points of the same depth, or at a single one. */
     @Test
     void frictionActsAtTheNearerPoint() {
         int a = box(0, 0, 1);
@@ -150,8 +157,8 @@ class RowBuilderTest {
     }
 
     /**
-     * Points at ±x of a body on the ground, k00 = 1/m + x²/I and k01 = 1/m − x²/I: the determinant
-     * is 4·x²/(m·I), which is 10⁻⁴ of k00·k11 at x = 0.005·√(I/m) to within x².
+     * Points at ±x of a body on the ground: k00 = 1/m + x²/I and k01 = 1/m − x²/I. The determinant
+     * is 4·x²/(m·I), which is 10⁻⁴ of k00·k11 at x = 0.005·√(I/m), to within x².
      */
     @ParameterizedTest
     @CsvSource({"0.0051, 2", "0.0049, 1"})
@@ -167,7 +174,7 @@ class RowBuilderTest {
         assertThat(contacts.bodyA[0]).isZero();
     }
 
-    /** What remains of both is the deeper one, whichever is first. */
+    /** Of the two points the deeper one remains, whatever their order. */
     @ParameterizedTest
     @CsvSource({"-0.02, -0.01, -0.001", "-0.01, -0.02, 0.002", "-0.01, -0.01, -0.001"})
     void deeperOfTwoPointsRemains(double gap0, double gap1, double x) {
@@ -262,7 +269,7 @@ class RowBuilderTest {
         assertThat(contacts.isAnyCrushed).isEqualTo(isCrushed);
     }
 
-    /** The thinner one need not be movable. */
+    /** The thinner body need not be movable. */
     @Test
     void thinWallIsCrushedToo() {
         int a = box(0, 0, 1);
@@ -272,7 +279,7 @@ class RowBuilderTest {
         assertThat(RowBuilder.isCrushed(island.bodies, island.pairs, pair, -0.004)).isFalse();
     }
 
-    /** By 1 % of the speed that an impulse gives all of the island. */
+    /** By 1 % of the speed that an impulse gives the whole island. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void contactsOfDrivenBodiesGive(boolean isFirst) {
@@ -292,11 +299,11 @@ class RowBuilderTest {
         assertThat(of(0, PackedContacts.GIVE)).isCloseTo(give, within(1e-15));
         assertThat(of(0, PackedContacts.K00)).isCloseTo(k + give, within(ROUND_OFF));
         assertThat(motions.count).isEqualTo(4);
-        // The driven body presses along, with its own velocity.
+        // The driven body presses along at its own velocity.
         assertThat(motions.parting(contacts, 0, 0)).isCloseTo(-1, within(ROUND_OFF));
     }
 
-    /** A disc on a disc that has moved up by 1: what was measured there holds there. */
+    /** A disc lies on a disc that has moved up by 1 m; the gap is as measured there. */
     @Test
     void gapsOfRewrittenRowsAreThoseOfTheirPresentPlaces() {
         SplittableRandom random = new SplittableRandom(2);
@@ -334,7 +341,7 @@ class RowBuilderTest {
         assertThat(of(0, PackedContacts.GAP0)).isEqualTo(1e9);
     }
 
-    /** What the second point carried goes on at the one that is left. */
+    /** The load of the second point is added to the remaining one. */
     @Test
     void impulsesAreNotLostWhenTwoPointsBecomeOne() {
         int a = box(0, 0, 1);

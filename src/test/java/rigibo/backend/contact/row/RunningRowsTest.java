@@ -15,7 +15,7 @@ import rigibo.backend.setup.Material;
 
 class RunningRowsTest {
 
-    /** Of belts that meet both run against each other, so that their speeds add. */
+    /** Two belts that meet run against each other, so that their speeds add. */
     @Test
     void speedsOfBothSurfacesAdd() {
         StoredIsland island =

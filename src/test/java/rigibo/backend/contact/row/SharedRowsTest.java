@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicIntegerArray;
 @Timeout(60)
 class SharedRowsTest {
 
-    /** Contacts of each colour; the last two are with the ground. */
+    /** Number of contacts of each colour; the last two colours have contacts with the ground. */
     private static final int[] SIZES = {300, 250, 40, 1, 200, 90};
 
     private static final int GROUND = 4;
@@ -38,8 +38,8 @@ class SharedRowsTest {
     }
 
     /**
-     * A pass takes every contact once, and none before all of the colours before its own are done;
-     * going back it turns their order round, but for those with the ground.
+     * A pass visits every contact once, and none before all of the earlier colours. The way back
+     * reverses the order, except for contacts with the ground.
      */
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 8})
@@ -69,7 +69,7 @@ class SharedRowsTest {
         }
     }
 
-    /** Whether a contact is taken although one of the colour before its own was not. */
+    /** Whether a contact is visited before one of the previous colour. */
     private static boolean isEarly(int[] order, AtomicIntegerArray taken, int row) {
         int at = 0;
         while (colourOf(row) != order[at]) {

@@ -15,8 +15,8 @@ import rigibo.backend.storage.Pairs;
 import java.util.Arrays;
 
 /**
- * Islands in the columns of a pool that never steps, with contacts written by hand, and what packs
- * them.
+ * Islands in the columns of a pool that never steps, with contacts written by hand, and the classes
+ * that pack them.
  */
 public final class StoredIsland {
 
@@ -46,7 +46,7 @@ public final class StoredIsland {
         builder = new RowBuilder(data, motions, contacts, turns);
     }
 
-    /** An island without bodies, where bodies meet and turn. */
+    /** An island without bodies, with contacts and rotation. */
     public static StoredIsland turning() {
         return new StoredIsland(Effects.of(new Contacts(), new Rotation()));
     }
@@ -87,7 +87,7 @@ public final class StoredIsland {
         pairs.separation[point] = separation;
     }
 
-    /** Lets bodies and contacts that are added from now on be those of another island. */
+    /** Starts another island for bodies and contacts that are added from now on. */
     public void beginIsland() {
         int last = data.islands.count++;
         data.islands.bodyStart[last + 1] = data.islands.bodyStart[last];

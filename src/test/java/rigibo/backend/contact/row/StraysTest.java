@@ -15,8 +15,8 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * A box of a metre on the ground whose outline reaches a metre, in a step of half a second under 4
- * m/s²: the pull may move it by 1 m, and a thousandth of its width does not show.
+ * A box of 1 m on the ground with a radius of 1 m, in a step of half a second under 4 m/s². The
+ * pull may move it by 1 m, and a thousandth of its width is not visible.
  */
 class StraysTest {
 
@@ -64,7 +64,7 @@ class StraysTest {
         assertThat(strays.mayLackPoint(row)).isEqualTo(isAny);
     }
 
-    /** With less time to go it gets less far, but for the way that is behind it. */
+    /** In less time it gets less far; the way behind it counts. */
     @Test
     void whatItHasGoneCounts() {
         go(3, 0, 0);
@@ -76,7 +76,7 @@ class StraysTest {
         assertThat(strays.areAny(0.3)).isTrue();
     }
 
-    /** Of few bodies landings are followed as they come. */
+    /** Among few bodies landings are followed as they come. */
     @Test
     void noneOfFewStrays() {
         motions.count--;
@@ -84,7 +84,7 @@ class StraysTest {
         assertThat(strays.areAny(STEP)).isFalse();
     }
 
-    /** What it did when the step began was foreseen. */
+    /** The motion of the step's start was predicted. */
     @Test
     void whoGoesOnDoesNotStray() {
         go(-30, 40, 5);
@@ -100,7 +100,7 @@ class StraysTest {
         assertThat(strays.mayLackPoint(row)).isFalse();
     }
 
-    /** A disc lands with one point wherever it goes. */
+    /** A disc lands with one point in any direction. */
     @Test
     void discsLackNone() {
         data.bodies.outline[0] = new Circle(0.5).outline();

@@ -18,7 +18,10 @@ import rigibo.backend.setup.BodyDefinition;
 
 import java.util.SplittableRandom;
 
-/** How {@link TurningRows} bends contacts: against places of material points after a turn. */
+/**
+ * The bending of contacts by {@link TurningRows}, compared with places of material points after a
+ * turn.
+ */
 class TurnedRowsTest {
 
     private final StoredIsland island = StoredIsland.turning();
@@ -72,9 +75,9 @@ class TurnedRowsTest {
     }
 
     /**
-     * Gap after h of a point fixed to B, a distance below its centre or its core's corner, from the
-     * face of A: n·(p − cA) − a, where n turns with A. The rows' linear part is the gap and its
-     * parting speed; what was added must be the rest, up to (ωh)³.
+     * Gap after h of a point fixed to B, at a distance below its centre or its core's corner, from
+     * the face of A: n·(p − cA) − a, where n turns with A. The linear part of the row is the gap
+     * and its parting speed; the added part must be the rest, up to (ωh)³.
      */
     private void assertBentAsOnFaceOfA(double cornerX, double cornerY, double radius, double h) {
         double before = of(PackedContacts.GAP0);
@@ -134,7 +137,7 @@ class TurnedRowsTest {
         bendOnFaceOf(new Capsule(2, 0.5), Polygon.box(1, 2), 1.5, 0.5, -1);
     }
 
-    /** Gaps do not depend on which of two bodies is A: each pair is stored both ways. */
+    /** Gaps do not depend on which of the bodies is A: each pair is stored both ways. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2})
     void faceMayBeThatOfB(int kind) {
@@ -165,8 +168,8 @@ class TurnedRowsTest {
     }
 
     /**
-     * Along the surface the corner of B goes by cos: r·(1 − cos φ) less than its speed says, per
-     * second. Friction aims at the speed that lets it stay, at the nearer point.
+     * Along the surface the corner of B moves with the cosine: r·(1 − cos φ) less than by its
+     * speed, per second. Friction aims at the speed that keeps it in place, at the nearer point.
      */
     @ParameterizedTest
     @CsvSource({"0.01, -0.5", "-0.01, 0.5", "0, 0"})
@@ -219,7 +222,7 @@ class TurnedRowsTest {
         assertThat(turning.isTurning(0, 1)).isFalse();
     }
 
-    /** By a sagitta rφ²/2 of a hundredth of the tolerance in widths among few. */
+    /** By a sagitta rφ²/2 of a hundredth of the tolerance in widths, among few bodies. */
     @ParameterizedTest
     @CsvSource({"0.0055, true", "0.0051, false", "-0.0055, true"})
     void outlinesTurnAboveASagitta(double turn, boolean isTurning) {
@@ -241,7 +244,7 @@ class TurnedRowsTest {
         }
     }
 
-    /** Only the contacts of what turns, and none where nothing does. */
+    /** Only contacts of turning bodies bend; none if no body turns. */
     @Test
     void contactsOfStillBodiesStayStraight() {
         lay(Polygon.box(1, 1), Polygon.box(1, 1), 1);
@@ -265,7 +268,7 @@ class TurnedRowsTest {
         assertThat(turning.isTurning(0, 0.1)).isTrue();
     }
 
-    /** Contacts of what turns by more than half of 0.1 rad, if they may close. */
+    /** Contacts of bodies that turn by more than half of 0.1 rad, if they may close. */
     @ParameterizedTest
     @CsvSource({"51, 0.001, true", "49, 0.001, false", "-51, 0.001, true", "51, 30, false"})
     void farTurnedContactsAreMeasured(double spin, double gap, boolean isNew) {
@@ -289,7 +292,7 @@ class TurnedRowsTest {
     }
 
     /**
-     * A fiftieth of a width over four substeps, for more than four bodies; a tenth faster: more.
+     * A fiftieth of a width over four substeps, for more than four bodies; more for a tenth faster.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 4, -9, 20, 60, 400})
@@ -306,7 +309,7 @@ class TurnedRowsTest {
         assertThat(fresh.recovery).isCloseTo(25 + (more - 1) * 1e4, within(1e-6));
     }
 
-    /** Among few no more than a twentieth of the turn from face to face in a substep. */
+    /** Among few bodies at most a twentieth of the turn from face to face in a substep. */
     @ParameterizedTest
     @CsvSource({"0.9, 4", "1.57, 4", "1.75, 5", "3.0, 8"})
     void fewBodiesTurnLessInASubstep(double spin, int substeps) {
@@ -316,7 +319,7 @@ class TurnedRowsTest {
         assertThat(turning.substepsFor(0, 0.2, 4)).isEqualTo(substeps);
     }
 
-    /** A disc has no corners, and no face to turn to; a disc that spins is not turning at all. */
+    /** A disc has no corners and no face to turn to; a spinning disc does not count as turning. */
     @Test
     void discsNeedNoMoreSubsteps() {
         int disc = island.body(BodyDefinition.dynamic(new Circle(1)));

@@ -36,7 +36,7 @@ class TurningRowsTest {
         turning = new TurningRows(data, motions, new PackedContacts(), null, null);
     }
 
-    /** As many parts as tenths of a radian, rounded up, but one at least and no more than eight. */
+    /** As many parts as tenths of a radian, rounded up, from one to eight. */
     @ParameterizedTest
     @CsvSource({"0, 1", "20, 1", "-25, 2", "47, 2", "49, 3", "-190, 8", "1000, 8"})
     void partsAreAsManyAsTheCornersTurn(double spin, int parts) {
@@ -44,7 +44,7 @@ class TurningRowsTest {
         assertThat(turning.partsFor(H)).isEqualTo(parts);
     }
 
-    /** Its outline stays where it is. */
+    /** Its outline stays in place. */
     @Test
     void discMayTurnAsItLikes() {
         motions.data[2 * Motions.STRIDE + Motions.SPIN] = 1000;

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 import java.util.SplittableRandom;
 
-/** Kicks that begin with the impulses of the one before, of contacts at random. */
+/** Kicks that begin with the impulses of the last one, for random contacts. */
 class WarmStartTest {
 
     private static final double ROUND_OFF = 1e-13;
@@ -72,7 +72,7 @@ class WarmStartTest {
         }
     }
 
-    /** What joins in substep 2 takes part from then on. */
+    /** A body that joins in substep 2 takes part from then on. */
     @Test
     void whatJoinsLaterIsLeftOut() {
         SplittableRandom random = new SplittableRandom(3);
@@ -99,7 +99,7 @@ class WarmStartTest {
         assertThat(island.of(1, PackedContacts.BEFORE1)).isEqualTo(10);
     }
 
-    /** No impulse grows, and what was taken back moves the bodies no more. */
+    /** No impulse grows, and impulses taken back no longer move the bodies. */
     @Test
     void whatPartsIsTakenBack() {
         SplittableRandom random = new SplittableRandom(6);
@@ -145,7 +145,7 @@ class WarmStartTest {
         assertThat(island.of(row, PackedContacts.IMPULSE0)).isCloseTo(1, within(ROUND_OFF));
     }
 
-    /** A load stays; an impact, which was not there in the kick before, starts from nothing. */
+    /** A load is kept; an impact, which the last kick did not have, starts from zero. */
     @Test
     void impactsAreLeftOutAndLoadsStay() {
         SplittableRandom random = new SplittableRandom(4);
@@ -173,10 +173,10 @@ class WarmStartTest {
         assertThat(island.of(2, PackedContacts.IMPULSE1)).isEqualTo(1);
         assertThat(island.of(2, PackedContacts.IMPULSE_T)).isEqualTo(1.5);
         assertThat(island.of(2, PackedContacts.IMPULSE_R)).isEqualTo(-1);
-        // The kick before is now this one, as it was.
+        // The record of the last kick now holds this one, unchanged.
         assertThat(island.of(2, PackedContacts.BEFORE0)).isEqualTo(4);
         assertThat(island.of(2, PackedContacts.BEFORE1)).isEqualTo(1);
-        // What carried nothing does not rub either.
+        // A contact without a load has no friction, either.
         assertThat(island.of(3, PackedContacts.IMPULSE_T)).isZero();
     }
 

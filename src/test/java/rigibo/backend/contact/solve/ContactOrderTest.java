@@ -13,7 +13,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 
-/** The order of elimination, against what it promises of each contact. */
+/** The order of elimination, compared with its promises for each contact. */
 class ContactOrderTest {
 
     private final PackedIsland island = new PackedIsland();
@@ -30,13 +30,13 @@ class ContactOrderTest {
         island.contact(a, b, 0.5, 0.5);
     }
 
-    /** A body that no impulse moves, as a driven one. */
+    /** A body that no impulse moves, like a driven one. */
     private void hold(int body) {
         island.motions.data[body * Motions.STRIDE + Motions.INVERSE_MASS] = 0;
         island.motions.data[body * Motions.STRIDE + Motions.INVERSE_INERTIA] = 0;
     }
 
-    /** One body on the ground that carries others, each on it alone. */
+    /** One body on the ground that carries others, each by a single contact. */
     private void tray(int carried) {
         bodies(carried + 1);
         contact(0, 1);
@@ -45,7 +45,7 @@ class ContactOrderTest {
         }
     }
 
-    /** With eight and the ground it has nine contacts, more than an equal one can touch. */
+    /** With eight bodies and the ground it has nine contacts, more than an equal body can have. */
     @ParameterizedTest
     @CsvSource({"7, 0", "8, 1", "30, 1"})
     void whatCarriesManyIsAHub(int carried, int hubs) {
@@ -61,7 +61,7 @@ class ContactOrderTest {
         }
     }
 
-    /** Impulses pass through nothing that they do not move. */
+    /** Impulses do not pass through a body that they cannot move. */
     @Test
     void whatIsDrivenIsNoHubAndConnectsNothing() {
         tray(20);
@@ -72,11 +72,11 @@ class ContactOrderTest {
         assertThat(order.connects(0)).isFalse();
         assertThat(order.connects(2 * Motions.STRIDE)).isTrue();
         assertPromises();
-        // Each of the carried couples with itself alone: 3 rows of an envelope of 3.
+        // Each carried body couples with itself alone: 3 rows of an envelope of 3.
         assertThat(order.work()).isEqualTo(21 * 3 * 3 * 3 / 2.0);
     }
 
-    /** A body that cannot turn or cannot be moved still passes impulses on. */
+    /** A body that cannot turn, or cannot be moved, still passes impulses on. */
     @Test
     void halfOfAMassConnects() {
         tray(9);
@@ -87,7 +87,7 @@ class ContactOrderTest {
     }
 
     /**
-     * Thirty on each of five: four of them are taken for hubs, the fifth couples what lies on it.
+     * Thirty bodies on each of five: four of these become hubs, the fifth couples its own contacts.
      */
     @Test
     void hubsAreFew() {
@@ -146,7 +146,7 @@ class ContactOrderTest {
         }
     }
 
-    /** By looking at all pairs of contacts. */
+    /** By a search of all pairs of contacts. */
     private int firstNeighbour(int at) {
         if (at >= order.beforeHubs) {
             return order.hubCount > 0 ? order.beforeHubs : at;

@@ -16,7 +16,9 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 
-/** Single contacts against the truth of their small problems, and how often contacts are solved. */
+/**
+ * Single contacts, compared with the solution of their small problems, and the number of solutions.
+ */
 class ContactSweepTest {
 
     private static final double H = 1.0 / 240;
@@ -64,7 +66,7 @@ class ContactSweepTest {
         assertThat(Arrays.stream(asked).min().orElseThrow()).isGreaterThan(500);
     }
 
-    /** What slides is braked by μ times the load, and what is held does not move. */
+    /** A sliding body is braked by μ times the load, and a held one does not move. */
     @Test
     void frictionHoldsUpToItsConeAndBrakesBeyond() {
         SplittableRandom random = new SplittableRandom(2);
@@ -102,7 +104,7 @@ class ContactSweepTest {
         assertThat(motions.data[Motions.STRIDE + Motions.VY]).isCloseTo(-0.01 / H, within(1e-9));
     }
 
-    /** In a column at rest each contact is solved once, and one more pass finds nothing due. */
+    /** In a column at rest each contact is solved once, and another pass finds none due. */
     @Test
     void whatIsQuietIsLeftAlone() {
         column(20);
@@ -129,8 +131,8 @@ class ContactSweepTest {
     }
 
     /**
-     * What a contact misses by does not grow beyond what does not count; where it overlaps by a
-     * hundredth of its width, in a crowd, that is three thousandths of it.
+     * The residual of a contact does not exceed the allowance; for one that overlaps by a hundredth
+     * of its width, in a crowd, that is three thousandths of the usual one.
      */
     @Test
     void whatOverlapsIsSolvedStrictly() {
@@ -158,8 +160,8 @@ class ContactSweepTest {
     }
 
     /**
-     * What does not count is three tenths of the speed of the two against each other, within two
-     * bounds: a storm above does not make what lies below coarse.
+     * The allowance is three tenths of the relative speed of the two bodies, within two bounds:
+     * fast bodies above do not make the solution below coarse.
      */
     @Test
     void whatHardlyMovesIsSolvedFinely() {
@@ -189,8 +191,8 @@ class ContactSweepTest {
     }
 
     /**
-     * Two columns that fall side by side touch with nothing between them. Round-off of their
-     * sideways speeds decides nothing: which contacts are solved, and how often.
+     * Two columns that fall side by side touch with no force between them. Round-off of their
+     * sideways speeds must not change which contacts are solved, nor how often.
      */
     @Test
     void roundOffBetweenNeighboursChangesNoWork() {
@@ -212,7 +214,7 @@ class ContactSweepTest {
         assertThat(solves).isGreaterThan(2 * height);
     }
 
-    /** Two columns that do not turn, each body beside one of the other. */
+    /** Two columns of bodies that do not turn, each body beside one of the other column. */
     private void columns(int height) {
         island.begin(2 * height);
         for (int body = 1; body <= 2 * height; body++) {
@@ -229,7 +231,10 @@ class ContactSweepTest {
         contacts.groundStart = contacts.count;
     }
 
-    /** What gives way under a force goes as fast in half a kick, with half of the impulse. */
+    /**
+     * A row that yields to a force yields at the same speed in half a kick, with half of the
+     * impulse.
+     */
     @Test
     void whatGivesWayGoesByItsForce() {
         double give = 0.01;
@@ -247,7 +252,7 @@ class ContactSweepTest {
         }
     }
 
-    /** Bodies of 1 kg one on the other, all at 1 m/s downwards, the lowest contact first. */
+    /** Bodies of 1 kg one on the other, all at 1 m/s downwards, with the lowest contact first. */
     private void column(int count) {
         island.begin(count);
         for (int body = 1; body <= count; body++) {

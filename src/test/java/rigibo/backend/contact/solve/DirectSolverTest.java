@@ -19,17 +19,17 @@ import rigibo.backend.storage.Bodies;
 
 import java.util.SplittableRandom;
 
-/** Small islands at random that are solved whole, against the law of their written-out rows. */
+/** Random small islands that are solved whole, compared with the law of their written-out rows. */
 class DirectSolverTest {
 
     private static final double H = 1.0 / 240;
     private static final double SETTLED = 1e-11;
     private static final double PLENTY = 1e12;
 
-    /** Speed that a body gains in a step of the earth's pull, m/s. */
+    /** Speed that a body gains by gravity in a step, m/s. */
     private static final double GAINED = 9.81 / 60;
 
-    /** Residuals and loads of up to 20 contacts, some of which share what they carry. */
+    /** Residuals and loads of up to 20 contacts, some of which share their loads. */
     private static final double SOLVED = 1e-8;
 
     private final PackedIsland island = new PackedIsland();
@@ -49,7 +49,7 @@ class DirectSolverTest {
                     true,
                     new SharedRows(null, contacts));
 
-    /** A chain from the ground with some more contacts, gaps, and loads of before. */
+    /** A chain from the ground with some more contacts, gaps, and earlier loads. */
     private void heap(SplittableRandom random, int count, double friction) {
         island.bodies(random, count);
         for (int entry = 1; entry <= count; entry++) {
@@ -103,7 +103,7 @@ class DirectSolverTest {
         }
     }
 
-    /** A pass lets go of what is to carry nothing, and all that still carries is eliminated. */
+    /** A pass drops rows that carry nothing, and all other rows are eliminated. */
     private void solve(int rounds) {
         assertThat(direct.prepare(PLENTY, false, GAINED)).isTrue();
         direct.begin();
@@ -137,7 +137,7 @@ class DirectSolverTest {
         }
     }
 
-    /** From the present impulses on: what carries gives way by the change of its load alone. */
+    /** From the present impulses on, a row yields by the change of its load alone. */
     @Test
     void nearbyImpulsesGiveWayByTheirChange() {
         SplittableRandom random = new SplittableRandom(2);
@@ -162,7 +162,7 @@ class DirectSolverTest {
         assertThat(carried).isGreaterThan(50);
     }
 
-    /** Two contacts where one would do: what comes to their load they share alike. */
+    /** Two contacts in place of one share a change of their load equally. */
     @Test
     void redundantContactsKeepTheSharesThatTheyHave() {
         island.begin(1);
@@ -183,7 +183,7 @@ class DirectSolverTest {
         }
     }
 
-    /** Newton's method from the solution of a slightly other problem. */
+    /** Newton's method from the solution of a slightly different problem. */
     @Test
     void newtonFindsWhatIsNear() {
         SplittableRandom random = new SplittableRandom(4);
@@ -203,7 +203,7 @@ class DirectSolverTest {
         assertThat(found).isGreaterThan(90);
     }
 
-    /** The ground's contacts that join later are not there yet. */
+    /** Contacts with the ground that join later are not present yet. */
     @Test
     void whatJoinsLaterCarriesNothing() {
         island.begin(2);
@@ -224,7 +224,7 @@ class DirectSolverTest {
         assertThat(dense.velocities()[7]).isCloseTo(0, within(SOLVED));
     }
 
-    /** One point of one contact is solved by any pass: nothing is to be eliminated. */
+    /** A single point of a single contact is solved by any pass, without elimination. */
     @Test
     void aSinglePointIsLeftToPasses() {
         island.begin(1);
@@ -240,7 +240,7 @@ class DirectSolverTest {
         assertThat(direct.work()).isZero();
     }
 
-    /** A budget of nothing is spent at once, and what was done until then stays valid. */
+    /** A budget of 0 ends at once, and the present state stays valid. */
     @Test
     void budgetsAreKept() {
         SplittableRandom random = new SplittableRandom(5);
@@ -292,7 +292,7 @@ class DirectSolverTest {
         direct.begin();
     }
 
-    /** Where nothing carries, what overlaps is parted at once, just as far as it is to be. */
+    /** Without loads, overlaps open at once by the wanted amounts. */
     @Test
     void overlapOpensAsItIsToOpen() {
         SplittableRandom random = new SplittableRandom(7);
@@ -322,9 +322,9 @@ class DirectSolverTest {
     }
 
     /**
-     * Distance in m by which a row yields that is to open by {@code wanted} m, beside others that
-     * are to open by up to {@code most}: light bodies below heavy ones are pushed up to 50 times as
-     * hard, and a row that hardly overlaps is softer.
+     * Distance in m by which a row yields that should open by {@code wanted} m, beside others that
+     * should open by up to {@code most}. Light bodies below heavy ones are pushed up to 50 times as
+     * hard, and a row with little overlap is softer.
      */
     private static double yields(double wanted, double most) {
         double soft = HeldOverlap.FADES * GAINED * H / wanted;
@@ -340,7 +340,7 @@ class DirectSolverTest {
         return most;
     }
 
-    /** No body goes farther than three widths a second let it. */
+    /** No body moves faster than three widths a second. */
     @Test
     void waysAreLimited() {
         SplittableRandom random = new SplittableRandom(8);
@@ -379,7 +379,7 @@ class DirectSolverTest {
         double yields = yields(wanted, wanted);
         assertThat(dense.displacements()[4]).isCloseTo(0, within(yields));
         assertThat(dense.displacements()[7]).isCloseTo(wanted, within(yields));
-        // Lifted off by more than the kept overlap, it takes half of the way.
+        // Lifted by more than the kept overlap, it takes half of the way.
         island.motions.data[Motions.STRIDE + Motions.DY] = 0;
         island.motions.data[2 * Motions.STRIDE + Motions.DY] = 0;
         island.set(1, PackedContacts.GAP0, 2e-5);

@@ -18,8 +18,8 @@ import rigibo.backend.effect.Rotation;
 import rigibo.backend.storage.Bodies;
 
 /**
- * A body of 2 kg and 4 kg·m² on the ground, at (3, 4) m/s and 2 rad/s: its energy of motion is 33
- * J, of which a hundredth may be taken.
+ * A body of 2 kg and 4 kg·m² on the ground, at (3, 4) m/s and 2 rad/s: its kinetic energy is 33 J,
+ * of which a hundredth may be taken.
  */
 class EnergyBalanceTest {
 
@@ -58,7 +58,10 @@ class EnergyBalanceTest {
         motions.data[Motions.STRIDE + Motions.TURN] = turn;
     }
 
-    /** Work is m·a·d and I·α·δ; what is gained beyond it goes, and direction and spin stay. */
+    /**
+     * The work is m·a·d and I·α·δ; a gain beyond it is removed, and the direction and the spin's
+     * sign stay.
+     */
     @ParameterizedTest
     @CsvSource({"0.01, 0, 0, 0.02", "0, -0.001, 0, 0.02", "0, 0, 0.002, 0.024", "0, 0, 0, 0"})
     void whatWasGainedWithoutWorkIsTaken(double x, double y, double turn, double work) {
@@ -85,7 +88,7 @@ class EnergyBalanceTest {
         assertThat(dense.energy()).isCloseTo(MOTION - 0.02, within(ROUND_OFF * MOTION));
     }
 
-    /** What rests in an overlap has no energy to give: a hundredth at most. */
+    /** A body that rests in an overlap has no energy to give: a hundredth at most. */
     @Test
     void littleIsTakenAtATime() {
         move(0, 0.1, 0);
@@ -101,7 +104,7 @@ class EnergyBalanceTest {
         assertThat(dense.energy()).isCloseTo(MOTION, within(ROUND_OFF));
     }
 
-    /** Where something else does work, nobody knows how much. */
+    /** If other effects do work, its amount is unknown. */
     @ParameterizedTest
     @CsvSource({"driven", "running", "pull x", "pull y", "drag", "crowd"})
     void whatIsNotKnownIsNotBalanced(String what) {
@@ -111,7 +114,7 @@ class EnergyBalanceTest {
         bodies.pullY[0] = what.equals("pull y") ? 1 : 0;
         bodies.drag[0] = what.equals("drag") ? 1 : 0;
         if (what.equals("crowd")) {
-            // More than the motion of each is followed of.
+            // There are more bodies than are followed one by one.
             motions.count = 6;
         }
         balance.begin();

@@ -14,7 +14,7 @@ import rigibo.backend.contact.row.PackedIsland;
 
 import java.util.SplittableRandom;
 
-/** Impulses at random that add energy, or make bodies too fast, and what the guard leaves. */
+/** Random impulses that add energy or make bodies too fast, and the guard's results. */
 class EnergyGuardTest {
 
     private static final double ROUND_OFF = 1e-9;
@@ -25,12 +25,12 @@ class EnergyGuardTest {
     private final DenseRows dense = new DenseRows(island);
     private final EnergyGuard guard = new EnergyGuard(motions, contacts);
 
-    /** Velocities before any impulse, and those impulses. */
+    /** Velocities before any impulse, and the impulses. */
     private double[] free;
 
     private double[] given;
 
-    /** A chain of bodies whose contacts give impulses at random, after a look at the guard. */
+    /** A chain of bodies whose contacts get random impulses after the guard has begun. */
     private void strike(SplittableRandom random, int count, double strength) {
         island.bodies(random, count);
         for (int entry = 1; entry <= count; entry++) {
@@ -49,7 +49,7 @@ class EnergyGuardTest {
         dense.applyImpulses();
     }
 
-    /** Share of the first impulse that is left. */
+    /** The share of the first impulse that is left. */
     private double share() {
         return dense.impulses()[0] / given[0];
     }
@@ -66,7 +66,7 @@ class EnergyGuardTest {
         }
     }
 
-    /** Work beyond the allowed one is taken back by scaling all impulses down, to just that. */
+    /** Work beyond the allowed one is removed by scaling all impulses down, exactly to it. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.1, 1})
     void impulsesDoNoMoreWorkThanTheyMay(double most) {
@@ -86,7 +86,7 @@ class EnergyGuardTest {
                 scaled++;
                 assertThat(dense.energy()).isCloseTo(before + most, within(ROUND_OFF));
             } else {
-                // Any share of them would add energy: all of them go.
+                // Any share of them would add energy, so all of them are removed.
                 stopped++;
                 assertThat(most).isZero();
             }
@@ -116,7 +116,7 @@ class EnergyGuardTest {
         assertThat(dense.energy()).isLessThan(energyAt(free) + ROUND_OFF);
     }
 
-    /** The work of a running surface is its own: impulses along it may add that. */
+    /** A running surface does work: impulses along it may add that. */
     @Test
     void whatRunsMayDoWork() {
         SplittableRandom random = new SplittableRandom(3);
@@ -137,7 +137,7 @@ class EnergyGuardTest {
         assertThat(dense.energy()).isEqualTo(energy).isGreaterThan(0.1);
     }
 
-    /** A body that impulses made too fast takes no more of them than it may. */
+    /** A body that impulses made too fast keeps only the share up to the limit. */
     @Test
     void nothingIsFasterThanTheLimit() {
         SplittableRandom random = new SplittableRandom(4);
@@ -160,7 +160,7 @@ class EnergyGuardTest {
         assertThat(scaled).isGreaterThan(100);
     }
 
-    /** One body at rest: it keeps just the share with which it is as fast as it may be. */
+    /** One body at rest keeps exactly the share that gives it the greatest speed. */
     @Test
     void aBodyAtRestKeepsAsMuchAsItMay() {
         SplittableRandom random = new SplittableRandom(5);
@@ -172,7 +172,7 @@ class EnergyGuardTest {
         assertThat(motions.fastest()).isCloseTo(0.1, within(ROUND_OFF));
     }
 
-    /** In a crowd only those of fast bodies are scaled down: what is far away keeps its own. */
+    /** In a crowd only impulses on fast bodies are scaled down; distant ones stay. */
     @Test
     void crowdKeepsItsLoadsUnderAFastStone() {
         SplittableRandom random = new SplittableRandom(6);
@@ -191,7 +191,7 @@ class EnergyGuardTest {
         assertThat(motions.fastest()).isLessThan(1.5 + ROUND_OFF);
         assertThat(dense.impulses()[0]).isEqualTo(given[0]);
         assertThat(dense.impulses()[69 * DenseRows.KINDS]).isLessThan(50);
-        // Momentum: what one body keeps less of, the other does too.
+        // Momentum: both bodies of a contact lose the same share.
         dense.assertImpulsesTellAll(ROUND_OFF);
     }
 }

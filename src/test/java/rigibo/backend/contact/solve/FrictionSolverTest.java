@@ -17,7 +17,7 @@ import rigibo.backend.storage.Pairs;
 
 import java.util.SplittableRandom;
 
-/** Friction rows of contacts at random, against their written-out rows. */
+/** Friction rows of random contacts, compared with their written-out rows. */
 class FrictionSolverTest {
 
     private static final double ROUND_OFF = 1e-12;
@@ -70,7 +70,7 @@ class FrictionSolverTest {
         assertThat(held).isBetween(200, 480);
     }
 
-    /** The force of the step before times the length of the kick is where impulses start. */
+    /** Impulses start with the force of the last step times the length of the kick. */
     @Test
     void onlyContactsWithFrictionHaveRows() {
         SplittableRandom random = new SplittableRandom(2);
@@ -106,7 +106,7 @@ class FrictionSolverTest {
                 .isCloseTo(1 / response, within(ROUND_OFF));
     }
 
-    /** Half a kick of h/2 gave the impulse: the force is twice as much over h. */
+    /** The impulse is that of half a kick, h/2: the force is twice it over h. */
     @Test
     void forcesAreStored() {
         SplittableRandom random = new SplittableRandom(4);
@@ -121,7 +121,7 @@ class FrictionSolverTest {
         assertThat(pairs.frictionForce[0]).isEqualTo(7);
     }
 
-    /** Room for more contacts than any island before had. */
+    /** There are more contacts than in any island before. */
     @Test
     void anyNumberOfContactsMayRub() {
         SplittableRandom random = new SplittableRandom(5);

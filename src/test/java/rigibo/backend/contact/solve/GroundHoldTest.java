@@ -33,7 +33,7 @@ class GroundHoldTest {
         }
     }
 
-    /** Back to the overlap of before, or to no overlap where there was a gap; never pulled. */
+    /** Back to the former overlap, or to none if there was a gap; never pulled. */
     @Test
     void whatWentDeeperComesBack() {
         SplittableRandom random = new SplittableRandom(1);
@@ -65,7 +65,7 @@ class GroundHoldTest {
         assertThat(held).isBetween(150, 350);
     }
 
-    /** Two points, one after the other, four times over. */
+    /** Two points, one after the other, four times. */
     @Test
     void bothPointsComeBack() {
         SplittableRandom random = new SplittableRandom(2);
@@ -75,7 +75,7 @@ class GroundHoldTest {
             int at = row * PackedContacts.STRIDE;
             contacts.data[at + PackedContacts.LEVER_B0] = -0.6;
             contacts.data[at + PackedContacts.LEVER_B1] = 0.7;
-            // Hard to turn: what moves one point moves the other one by about as much.
+            // Large inertia: moving one point moves the other one by about as much.
             island.body(1, 1, 1e-3);
             island.writeMasses(row);
             ground.begin();
@@ -89,7 +89,7 @@ class GroundHoldTest {
         }
     }
 
-    /** Only those of the ground, that are there by now; one that is to come out is held higher. */
+    /** Only contacts with the ground that are present; one that should come out is held higher. */
     @Test
     void onlyTheGroundHolds() {
         island.begin(2);

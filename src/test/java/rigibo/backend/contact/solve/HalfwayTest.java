@@ -12,7 +12,7 @@ import rigibo.backend.contact.row.PackedIsland;
 
 import java.util.SplittableRandom;
 
-/** More bodies and contacts than it has room for at first, whose state changes at random. */
+/** More bodies and contacts than the first capacity, whose state changes randomly. */
 class HalfwayTest {
 
     private static final int COUNT = 40;

@@ -15,7 +15,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 
-/** How far rows hold that hardly carry, where overlap is removed. */
+/** How far nearly unloaded rows hold while overlap is removed. */
 class HeldOverlapTest {
 
     private static final double H = 1.0 / 240;
@@ -34,7 +34,7 @@ class HeldOverlapTest {
                     Accuracy.GAME);
     private final DirectSolver direct = new DirectSolver(island.motions, contacts, overlap, 16);
 
-    /** Two boxes of 1 kg that overlap, the lower of which rests on a floor by so many N·s. */
+    /** Two overlapping boxes of 1 kg, the lower of which rests on a floor with a load in N·s. */
     private double twoBoxes(double load) {
         island.begin(2);
         island.body(1, 1, 0);
@@ -48,7 +48,7 @@ class HeldOverlapTest {
         contacts.groundStart = 1;
         island.set(0, PackedContacts.GAP0, -1e-3);
         island.set(0, PackedContacts.GAP1, -1e-3);
-        // Farther from the floor than what counts as standing on it.
+        // Farther from the floor than a standing body.
         island.set(1, PackedContacts.GAP0, 2e-5);
         island.set(1, PackedContacts.GAP1, 2e-5);
         island.set(1, PackedContacts.IMPULSE0, load);

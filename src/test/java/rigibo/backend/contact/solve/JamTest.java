@@ -28,7 +28,7 @@ class JamTest {
     private static final double H = 0.01;
     private static final double WIDTH = 2;
 
-    /** Twelve passes, each of which takes the share 25·h/(1 + 25·h) of what is left. */
+    /** Twelve passes, each of which removes the share 25·h/(1 + 25·h) of the rest. */
     private static final double LEFT = Math.pow(1 / (1 + Recovery.RATE * H), 12);
 
     private static final double MOST = Recovery.MOST_PUSH * H * WIDTH;
@@ -56,7 +56,7 @@ class JamTest {
         contacts.data[at + PackedContacts.GAP1] = -second;
     }
 
-    /** Empties the island, and adds so many bodies of 1 kg that do not turn. */
+    /** Empties the island and adds a number of bodies of 1 kg that do not turn. */
     private void beginFree(int count) {
         island.begin(count);
         for (int entry = 1; entry <= count; entry++) {
@@ -71,12 +71,12 @@ class JamTest {
         overlap.partJammed(H, 0);
     }
 
-    /** Of what is more than the kept overlap. */
+    /** Share of the overlap that is not kept. */
     private static double parted(double by) {
         return (1 - LEFT) * (by - KeptOverlap.LEAST * WIDTH);
     }
 
-    /** Each of the two by the share of the other's mass. */
+    /** Each of the two moves by the share of the other's mass. */
     @Test
     void twoInSpacePartByTheirMasses() {
         island.begin(2);
@@ -126,7 +126,7 @@ class JamTest {
                     assertThat(now[k]).isCloseTo(change[k], within(ROUND_OFF));
                 }
             } else {
-                // One point opens alone, and takes the other one along.
+                // One point opens alone and takes the other one along.
                 assertThat(Math.min(opened0 / parted(first), opened1 / parted(second)))
                         .isGreaterThan(0.999);
             }
@@ -134,7 +134,7 @@ class JamTest {
         assertThat(both).isGreaterThan(100);
     }
 
-    /** As many contacts push the middle one of three: each takes half of its share. */
+    /** Several contacts push the middle one of three: each takes half of its share. */
     @Test
     void manyPushesDoNotOvershoot() {
         beginFree(3);
@@ -145,14 +145,14 @@ class JamTest {
         // A share of 25·h/(1 + 25·h) = 0.2 is less than the half that two pushes could take.
         double[] now = dense.displacements();
         assertThat(now[7]).isCloseTo(0, within(ROUND_OFF));
-        // Seen from the middle each gap closes by half as fast, as the other half comes back.
+        // Seen from the middle body each gap closes half as fast, since the other half comes back.
         double left = Math.pow(1 - 0.5 * Recovery.RATE * H / (1 + Recovery.RATE * H), 12);
         double opened = (1 - left) * (0.02 - KeptOverlap.LEAST * WIDTH);
         assertThat(now[10]).isCloseTo(opened, within(ROUND_OFF));
         assertThat(now[4]).isCloseTo(-opened, within(ROUND_OFF));
     }
 
-    /** The fastest is to go no faster than three widths a second; all others as it does. */
+    /** The fastest body moves at three widths a second at most, and all others in proportion. */
     @Test
     void theFastestSetsThePace() {
         beginFree(4);
@@ -165,7 +165,7 @@ class JamTest {
         assertThat(now[13] / now[7]).isCloseTo(parted(0.1) / parted(0.4), within(1e-9));
     }
 
-    /** What hardly moves any more is left where it is: at 0.04 of the fastest rate. */
+    /** A body that hardly moves any more stays: at 0.04 of the greatest rate. */
     @ParameterizedTest
     @CsvSource({"0.9, false", "1.1, true"})
     void whatHardlyMovesStays(double times, boolean isMoved) {
@@ -181,7 +181,7 @@ class JamTest {
         assertThat(overlap.isBlocked(H)).isEqualTo(!isMoved);
     }
 
-    /** Between two immovable ones a body has no way to go, and is told to be blocked. */
+    /** Between two immovable bodies a body cannot move and is reported as blocked. */
     @Test
     void whatHasNoRoomIsBlocked() {
         island.begin(1);
@@ -198,7 +198,7 @@ class JamTest {
         assertThat(dense.displacements()[4]).isGreaterThan(0);
     }
 
-    /** Turning is a way, too: of the outline, a metre from the centre. */
+    /** Turning counts as a way of the outline, one metre from the centre. */
     @Test
     void turningIsAWay() {
         island.begin(2);
@@ -213,7 +213,7 @@ class JamTest {
                 .isCloseTo(MOST, within(1e-8 * MOST));
     }
 
-    /** Where masses differ by more than thirty times nothing is taken for a jam. */
+    /** Masses that differ by more than thirty times are not treated as a jam. */
     @Test
     void onlyEqualsAreJammed() {
         island.begin(2);

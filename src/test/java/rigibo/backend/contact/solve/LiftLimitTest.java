@@ -13,8 +13,8 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.storage.Bodies;
 
 /**
- * Two bodies, of 1 kg and of 3 kg, that recovery moves in a hundredth of a second. A pull of 10
- * m/s² would let them fall by 0.5 mm in it, and they may be lifted by twice as far on average.
+ * Two bodies, of 1 kg and of 3 kg, that recovery moves in a hundredth of a second. Under a pull of
+ * 10 m/s² they would fall by 0.5 mm in it, and they may be lifted by twice as far on average.
  */
 class LiftLimitTest {
 
@@ -22,7 +22,7 @@ class LiftLimitTest {
     private static final double FALL = 5e-4;
     private static final double MASS = 3;
 
-    /** rad by which the pull leans from straight down: no axis is special. */
+    /** Angle in rad between the pull and straight down: no axis is special. */
     private static final double LEANS = 0.3;
 
     private static final double UP_X = -Math.sin(LEANS);
@@ -53,7 +53,10 @@ class LiftLimitTest {
         assertThat(lifted(2)).isCloseTo(1.3 * FALL, within(ROUND_OFF));
     }
 
-    /** The energy of the lift is that of two falls, and all go the same share of their way. */
+    /**
+     * The energy of the lift is that of two falls, and all bodies move by the same share of their
+     * way.
+     */
     @Test
     void whatIsLiftedByMuchIsHeldBack() {
         lift(1, 10 * FALL);

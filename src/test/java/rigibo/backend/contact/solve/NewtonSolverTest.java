@@ -14,12 +14,12 @@ import rigibo.backend.contact.row.PackedIsland;
 
 import java.util.Arrays;
 
-/** Columns of boxes of 1 kg on the ground that are pushed sideways, against Coulomb's law. */
+/** Columns of boxes of 1 kg on the ground that are pushed sideways, compared with Coulomb's law. */
 class NewtonSolverTest {
 
     private static final double H = 1.0 / 240;
 
-    /** Rows give way by 1e-10 of their loads, of up to ten boxes. */
+    /** Rows yield by 1e-10 of their loads, for up to ten boxes. */
     private static final double GIVEN_WAY = 1e-8;
 
     private final PackedIsland island = new PackedIsland();
@@ -35,7 +35,9 @@ class NewtonSolverTest {
         factor.forget();
     }
 
-    /** Boxes that do not turn, each on the one before, falling at 1 m/s with loads of a third. */
+    /**
+     * Boxes that do not turn, each on the one before, falling at 1 m/s with a third of their loads.
+     */
     private void column(int count, double friction) {
         island.begin(count);
         for (int body = 1; body <= count; body++) {
@@ -64,8 +66,9 @@ class NewtonSolverTest {
     }
 
     /**
-     * The uppermost of n boxes slides at v: its contact carries one momentum of 1 kg·m/s and rubs
-     * by μ times it, the ones below carry 2 … n and hold, as long as μ·1 is no more than they may.
+     * The uppermost of n boxes slides at v: its contact carries one momentum of 1 kg·m/s, with
+     * friction of μ times it. The ones below carry 2 … n and hold, as long as μ·1 is no more than
+     * their bound.
      */
     @ParameterizedTest
     @CsvSource({"1, 0.3, 2", "2, 0.3, 2", "5, 0.2, -3", "7, 0.5, 1"})
@@ -85,7 +88,7 @@ class NewtonSolverTest {
         assertThat(count > 1 ? speedX(1) : 0).isCloseTo(0, within(GIVEN_WAY));
     }
 
-    /** What friction can stop is stopped, and what a gap is left to falls on through it. */
+    /** Friction stops the boxes if it can, and a box over a gap falls on through it. */
     @Test
     void whatFrictionCanHoldIsHeldAndGapsStayOpen() {
         column(2, 0.5);
@@ -98,9 +101,7 @@ class NewtonSolverTest {
         assertThat(speedX(1)).isCloseTo(0.7 - 0.5, within(GIVEN_WAY));
     }
 
-    /**
-     * A box that two gaps of a wall ask for different speeds: nothing is moved by a millionfold.
-     */
+    /** Two gaps of a wall ask a box for different speeds: no body is moved by a millionfold. */
     @Test
     void rowsThatContradictEachOtherAreLeftAlone() {
         column(1, 0);

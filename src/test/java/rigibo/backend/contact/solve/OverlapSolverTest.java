@@ -15,7 +15,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.KeptOverlap;
 
-/** Overlap that is taken back, of bodies that lie on the ground and do not turn. */
+/** Removal of overlap, for bodies that lie on the ground and do not turn. */
 class OverlapSolverTest {
 
     private static final double H = 1.0 / 240;
@@ -30,7 +30,7 @@ class OverlapSolverTest {
     private final PackedContacts contacts = island.contacts;
     private final Bodies bodies = new Bodies(Effects.of(new Contacts()));
 
-    /** A pass takes back the share 25·h/(1 + 25·h) of what is more than a hundred-thousandth. */
+    /** A pass removes the share 25·h/(1 + 25·h) of the overlap beyond a hundred-thousandth. */
     @Test
     void fewAreMovedApartButForRoundOff() {
         double overlap = 5e-4;
@@ -52,7 +52,7 @@ class OverlapSolverTest {
         assertThat(left(FEW, 1.1e-3, Accuracy.GAME, true)).isCloseTo(more, within(1e-15));
     }
 
-    /** Were one point raised at once and the other, a little deeper, not, the body would turn. */
+    /** If one point rose at once and the other, a little deeper, did not, the body would turn. */
     @Test
     void bothPointsOfAContactGoAlike() {
         assertThat(opens(1.2e-3, 0.95e-3)).isCloseTo(byShare(0.95e-3), within(1e-15));
@@ -66,7 +66,7 @@ class OverlapSolverTest {
         return (overlap - KeptOverlap.LEAST) * rate / (1 + rate);
     }
 
-    /** How far the second of two points is to open in a small, calm pile, m. */
+    /** Distance by which the second of two points should open in a small, calm pile, m. */
     private double opens(double overlap, double overlapOfSecond) {
         island.begin(1);
         island.body(1, 1, 1);
@@ -79,7 +79,7 @@ class OverlapSolverTest {
         return solver.wanted(row, 1, H);
     }
 
-    /** Ten times the tolerance of impacts, as finely as that asks for, and a thousandth at most. */
+    /** Ten times the tolerance of impacts, which is fine enough; a thousandth at most. */
     @Test
     void crowdKeepsWhatDoesNotShow() {
         assertThat(left(CROWD, 0.9e-3, Accuracy.DRAFT)).isEqualTo(0.9e-3);
@@ -88,7 +88,7 @@ class OverlapSolverTest {
         assertThat(left(CROWD, 0.9e-3, Accuracy.EXACT)).isLessThan(0.9e-3);
     }
 
-    /** What hardly moves could not rest as long as the last of its overlap is taken back. */
+    /** Bodies that hardly move could not rest while the last of their overlap is being removed. */
     @Test
     void calmCrowdKeepsTwiceThat() {
         assertThat(left(CROWD, 1.9e-3, Accuracy.GAME, true)).isEqualTo(1.9e-3);
@@ -97,7 +97,7 @@ class OverlapSolverTest {
         assertThat(few).isEqualTo(left(FEW, 1.9e-3, Accuracy.GAME, false)).isLessThan(1.9e-3);
     }
 
-    /** The gap opens by the same, whoever moves. */
+    /** The gap opens by the same amount, whichever body moves. */
     @Test
     void onlyTheUpperOfTwoIsRaisedInACalmCrowd() {
         double shared = parted(true, 0, 0);
@@ -108,7 +108,7 @@ class OverlapSolverTest {
         assertThat(moved(2, Motions.DY)).isCloseTo(0, within(1e-15));
     }
 
-    /** By cos²: of what lies at half a right angle the lower one goes half of its share. */
+    /** By cos²: at half a right angle the lower body moves by half of its share. */
     @Test
     void whatLiesSideBySideSharesTheWay() {
         double shared = parted(true, -9.81, 0);
@@ -119,7 +119,7 @@ class OverlapSolverTest {
         assertThat(moved(1, Motions.DY)).isCloseTo(-shared / 4, within(1e-15));
     }
 
-    /** How far in m one pass parts the second body from the first, on which it lies. */
+    /** Distance in m by which one pass parts the second body from the first, on which it lies. */
     private double parted(boolean isCalm, double pullX, double pullY) {
         bodies.accelerationX[0] = pullX;
         bodies.accelerationY[0] = pullY;
@@ -149,7 +149,7 @@ class OverlapSolverTest {
         return left(count, overlap, accuracy, false);
     }
 
-    /** What one pass leaves of the overlap in m, with so many bodies of a metre on the ground. */
+    /** Overlap in m left by one pass, with a number of bodies of 1 m on the ground. */
     private double left(int count, double overlap, Accuracy accuracy, boolean isCalm) {
         island.begin(count);
         for (int body = 1; body <= count; body++) {

@@ -23,7 +23,10 @@ import rigibo.backend.storage.KeptOverlap;
 
 import java.util.SplittableRandom;
 
-/** Which way overlap is taken back by contacts at random, against their written-out rows. */
+/**
+ * The directions in which overlap of random contacts is removed, compared with their written-out
+ * rows.
+ */
 class OverlapWaysTest {
 
     private static final double H = 1.0 / 240;
@@ -50,13 +53,15 @@ class OverlapWaysTest {
         contacts.data[at + PackedContacts.GAP1] = -second;
     }
 
-    /** The share rate·h/(1 + rate·h) of what is not kept, at three widths a second at most. */
+    /**
+     * The share rate·h/(1 + rate·h) of the overlap that is not kept, at most three widths a second.
+     */
     private static double wanted(double overlap) {
         double over = Math.max(0, overlap - 2 * KeptOverlap.LEAST);
         return Math.min(over * 30 * H / (1 + 30 * H), Recovery.MOST_PUSH * 2 * H);
     }
 
-    /** The pushes p ≥ 0 that open both points, or the one that has to be opened alone. */
+    /** The pushes p ≥ 0 that open both points, or the one that must be opened alone. */
     private double[] pushes(int row, double want0, double want1) {
         double k00 = dense.response(row, 0, row, 0);
         double k01 = dense.response(row, 0, row, 1);
@@ -101,7 +106,7 @@ class OverlapWaysTest {
         assertThat(both).isGreaterThan(200);
     }
 
-    /** Of one point the other is not asked. */
+    /** With a single point the other is not read. */
     @Test
     void singlePointsOpenAlone() {
         SplittableRandom random = new SplittableRandom(2);
@@ -115,7 +120,9 @@ class OverlapWaysTest {
         assertThat(opened).isCloseTo(wanted(0.01), within(ROUND_OFF));
     }
 
-    /** Of two passes each goes at half of the highest speed, first from the last contact on. */
+    /**
+     * Each of two passes moves at half of the greatest speed, the first from the last contact on.
+     */
     @Test
     void passesShareTheHighestSpeed() {
         island.begin(2);
@@ -129,7 +136,7 @@ class OverlapWaysTest {
         assertThat(opened).isCloseTo(Recovery.MOST_PUSH * 2 * H, within(1e-9));
     }
 
-    /** The middle one of three is pushed from both sides, by the last contact first, then back. */
+    /** The middle one of three is pushed from both sides: by the last contact first, then back. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
     void everySecondPassGoesBack(int passes) {
@@ -157,7 +164,7 @@ class OverlapWaysTest {
         }
     }
 
-    /** More than the kept overlap, at either point, of a contact that is there. */
+    /** More than the kept overlap, at either point, of a contact that is present. */
     @ParameterizedTest
     @CsvSource({
         "0.9, 0.9, 2, 0, false",
@@ -197,7 +204,7 @@ class OverlapWaysTest {
         assertThat(solver.isAnyWanted(1.01 * share, H, 0)).isFalse();
     }
 
-    /** A heavy body overlaps one by so many m that overlaps the ground by others: one pass. */
+    /** A heavy body overlaps one, which overlaps the ground, by distances in m: one pass. */
     private void pressDown(double above, double below) {
         island.begin(2);
         island.body(1, 1, 0);
@@ -209,7 +216,9 @@ class OverlapWaysTest {
         solver.correctAndHoldGround(H, 0, 1);
     }
 
-    /** What two push into the ground comes back to where it was; the two then keep their rest. */
+    /**
+     * A body that two others push into the ground comes back to its place; these keep their rest.
+     */
     @Test
     void groundDoesNotYield() {
         pressDown(0.01, 0);
@@ -217,9 +226,7 @@ class OverlapWaysTest {
         assertThat(dense.displacements()[7]).isPositive();
     }
 
-    /**
-     * Visibly deep in the ground, by more than a hundredth of the width, it comes out at its rate.
-     */
+    /** A body deeper in the ground than a hundredth of its width comes out at its rate. */
     @ParameterizedTest
     @CsvSource({"0.019, false", "0.021, true"})
     void whatIsDeepInTheGroundComesOut(double deep, boolean comesOut) {
@@ -228,7 +235,7 @@ class OverlapWaysTest {
         assertThat(dense.displacements()[4]).isCloseTo(out, within(ROUND_OFF));
     }
 
-    /** In space no body goes farther than three of its widths a second, however many push it. */
+    /** In space no body moves by more than three widths a second, however many push it. */
     @Test
     void waysAreLimitedInSpace() {
         island.begin(4);

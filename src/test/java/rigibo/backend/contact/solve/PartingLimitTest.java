@@ -14,12 +14,12 @@ import rigibo.backend.storage.Bodies;
 
 import java.util.SplittableRandom;
 
-/** What is moved out of overlaps in space, by bodies that are two metres wide. */
+/** Removal of overlap in space, for bodies two metres wide. */
 class PartingLimitTest {
 
     private static final double WIDTH = 2;
 
-    /** Widths by which a body may be moved. */
+    /** Greatest displacement of a body, in widths. */
     private static final double MOST = 0.01;
 
     private static final double ROUND_OFF = 1e-12;
@@ -44,7 +44,7 @@ class PartingLimitTest {
         assertThat(moved(2, Motions.DX)).isEqualTo(-0.9 * MOST * WIDTH);
     }
 
-    /** Neither is faster than it may be, and turns are held back as ways are. */
+    /** Neither body is faster than the limit; turns are limited like displacements. */
     @Test
     void whatIsFastIsHeldBack() {
         begin(1, 1);
@@ -57,7 +57,7 @@ class PartingLimitTest {
         assertThat(moved(1, Motions.TURN)).isCloseTo(0.1, within(ROUND_OFF));
     }
 
-    /** Of any masses: the centre stays where recovery left it, which moves by momenta alone. */
+    /** With any masses the centre stays where recovery left it; only momenta move it. */
     @Test
     void centreOfMassStays() {
         SplittableRandom random = new SplittableRandom(5);
@@ -72,7 +72,7 @@ class PartingLimitTest {
                 x += moved(entry, Motions.DX) / inverseMass[entry - 1];
                 mass += 1 / inverseMass[entry - 1];
             }
-            // Recovery pushes each two apart: it leaves the centre alone.
+            // Recovery pushes pairs apart and leaves the centre in place.
             motions.moveAll(-x / mass, 0);
             double fastest = fastest(inverseMass.length);
             limit.end(MOST);
@@ -87,7 +87,7 @@ class PartingLimitTest {
         assertThat(heldBack).isGreaterThan(900);
     }
 
-    /** What goes up and what goes down must go as they are pushed, or the ground lifts them. */
+    /** Pushes up and down must not be limited, or the ground would lift the bodies. */
     @Test
     void nothingIsHeldBackOnTheGround() {
         begin(1, 1);

@@ -19,7 +19,7 @@ import rigibo.backend.storage.Pairs;
 
 import java.util.SplittableRandom;
 
-/** Rolling rows of contacts at random, with and without friction. */
+/** Rolling rows of random contacts, with and without friction. */
 class RollingSolverTest {
 
     private static final double ROUND_OFF = 1e-11;
@@ -41,7 +41,7 @@ class RollingSolverTest {
             new RollingSolver(data, island.motions, contacts, friction);
     private final RollingSolver smooth = new RollingSolver(data, island.motions, contacts, null);
 
-    /** One contact of two bodies, in slots of their own. */
+    /** A contact of two bodies, in slots of their own. */
     private int contact(SplittableRandom random, double coefficient, double lever) {
         island.bodies(random, 2);
         int row = island.contact(random, 1, 2);
@@ -60,7 +60,7 @@ class RollingSolverTest {
         contacts.data[row * PackedContacts.STRIDE + PackedContacts.IMPULSE1] = random.nextDouble();
     }
 
-    /** Where both hold, nothing slides and nothing turns after one solution. */
+    /** If both rows hold, neither sliding nor turning is left after one solution. */
     @Test
     void rollingAndFrictionHoldTogether() {
         SplittableRandom random = new SplittableRandom(1);
@@ -88,7 +88,7 @@ class RollingSolverTest {
                 both++;
             } else if (Math.abs(roll) == bound) {
                 turning++;
-                // It was braked before friction was solved.
+                // Rolling was solved before friction.
                 assertThat(Math.abs(tangent) == cone || Math.abs(slides) < GIVEN_WAY).isTrue();
             } else {
                 sliding++;
@@ -99,7 +99,7 @@ class RollingSolverTest {
         assertThat(sliding).isGreaterThan(20);
     }
 
-    /** Braked by c·N on its own: the truth is that of a wheel that turns beneath a brake. */
+    /** Braked by c·N alone, like a wheel under a brake. */
     @Test
     void withoutFrictionOnlyTurningIsBraked() {
         SplittableRandom random = new SplittableRandom(2);
@@ -124,7 +124,7 @@ class RollingSolverTest {
         assertThat(held).isBetween(50, 450);
     }
 
-    /** Torques of the step before start it; the longer lever counts. */
+    /** Rolling starts with the torques of the last step; the longer lever counts. */
     @Test
     void rowsAreWrittenAndStored() {
         SplittableRandom random = new SplittableRandom(3);

@@ -13,15 +13,15 @@ import rigibo.backend.contact.row.PackedIsland;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 
-/** Sets of rows that are factored within their envelope, against Gauss's elimination of all. */
+/** Sets of rows factored within their envelope, compared with Gauss's elimination of all rows. */
 class RowFactorTest {
 
-    /** Highest friction of contacts that slide. */
+    /** Highest friction of sliding contacts. */
     private static final double SLIDES = 0.3;
 
     /**
-     * That on hubs, where the compliance that keeps sets from being singular is most of what rows
-     * answer to: with more, some pivot would be less than it, and taken for redundant.
+     * That on hubs, where most of a row's response is the compliance that keeps sets from being
+     * singular: with more friction some pivot would be less than it and count as redundant.
      */
     private static final double SLIDES_ON_HUBS = 0.1;
 
@@ -30,7 +30,7 @@ class RowFactorTest {
     private final FlatRows rows = new FlatRows(island.motions, island.contacts, order);
     private final RowFactor factor = new RowFactor(island.contacts, rows, order);
 
-    /** Bodies in a chain with some more contacts, along normals and with levers at random. */
+    /** Bodies in a chain with some more contacts, with random normals and levers. */
     private void heap(SplittableRandom random, int bodies) {
         bodies(random, bodies);
         link(random, bodies);
@@ -70,7 +70,7 @@ class RowFactorTest {
         d[at + PackedContacts.LEVER_TA] = random.nextDouble(-1, 1);
         d[at + PackedContacts.LEVER_TB] = random.nextDouble(-1, 1);
         d[at + PackedContacts.MASS_T] = 1;
-        // As soft as that no set is singular.
+        // Soft enough that no set is singular.
         d[at + PackedContacts.GIVE] = 0.1;
     }
 
@@ -86,8 +86,8 @@ class RowFactorTest {
     }
 
     /**
-     * Many bodies on one or two that lie on the ground and on each other, some of the many on both,
-     * and some of them beside each other: the velocities of the two are unknowns.
+     * Many bodies on one or two that lie on the ground and on each other; some of the many lie on
+     * both, and some beside each other. The velocities of the two are unknowns.
      */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
@@ -138,7 +138,7 @@ class RowFactorTest {
         assertThat(work[2]).isLessThan(2.5 * work[1]);
     }
 
-    /** In a pile of equals that is long enough none is a hub, though each has many contacts. */
+    /** A long pile of equal bodies has no hub, though each has many contacts. */
     @Test
     void aBandHasNoHubs() {
         SplittableRandom random = new SplittableRandom(7);
@@ -165,7 +165,7 @@ class RowFactorTest {
                 .toArray();
     }
 
-    /** A set that begins as the one before is factored anew only from there on. */
+    /** A set with the beginning of the last one is factored again only after it. */
     @Test
     void whatFollowsOnAnotherSetSolvesItsOwn() {
         SplittableRandom random = new SplittableRandom(3);
@@ -199,14 +199,12 @@ class RowFactorTest {
                 sum += term;
                 scale += Math.abs(term);
             }
-            // Some 40 rows: each of them loses a few digits of the sum of all terms.
+            // Some 40 rows, each of which loses a few digits of the sum of all terms.
             assertThat(sum).isCloseTo(asked[i], within(1e-10 * scale));
         }
     }
 
-    /**
-     * Speed that a unit impulse of one row, with its friction, gives another through all bodies.
-     */
+    /** Speed of a row by a unit impulse of another one with its friction, through all bodies. */
     private double answerTo(int i, int j) {
         double sum = rows.answerTo(i, j);
         for (int hub = 0; hub < order.hubCount; hub++) {

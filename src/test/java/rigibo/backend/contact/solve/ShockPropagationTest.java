@@ -16,17 +16,17 @@ import rigibo.backend.storage.Bodies;
 
 import java.util.Arrays;
 
-/** Impulses that are handed down, against the momentum that they have to stop. */
+/** Impulses handed down a pile, compared with the momentum to be stopped. */
 class ShockPropagationTest {
 
     private static final double SPEED = 3;
 
-    /** Of a square of one metre, times its mass, 1/m². */
+    /** Inverse inertia of a square of 1 m, times its mass, 1/m². */
     private static final double INVERSE_INERTIA = 6;
 
     /**
-     * Share of a speed that eight rounds stop: half a metre beside the middle of a square a point
-     * is answered by 1 + 6/4 of its inverse mass, so that each round stops 1/2.5 of it.
+     * Share of a speed that eight rounds stop. At half a metre from the centre of a square the
+     * response is 1 + 6/4 of the inverse mass, so each round stops 1/2.5 of it.
      */
     private static final double STOPPED = 1 - Math.pow(1 - 1 / 2.5, 8);
 
@@ -49,7 +49,7 @@ class ShockPropagationTest {
         shock.handDown(0, spare, changed, 1e-9);
     }
 
-    /** So many bodies on each other, whose points are half a metre on either side. */
+    /** Bodies on each other, with points half a metre to either side. */
     private void stack(double... inverseMasses) {
         island.begin(inverseMasses.length);
         for (int entry = 1; entry <= inverseMasses.length; entry++) {
@@ -92,7 +92,10 @@ class ShockPropagationTest {
         }
     }
 
-    /** A body may close the gaps below it, those of others too, and nothing that rests moves. */
+    /**
+     * A body may close the gaps below it, including those of others, and bodies at rest do not
+     * move.
+     */
     @Test
     void gapsLetWhatIsAboveSink() {
         stack(1, 1, 1);
@@ -110,7 +113,7 @@ class ShockPropagationTest {
         assertThat(velocityY(2)).isCloseTo(onFirst - onSecond - SPEED, within(ROUND_OFF));
     }
 
-    /** What falls no faster than it may is left alone. */
+    /** A body that falls no faster than it may is left alone. */
     @Test
     void whatDoesNotCloseIsNotTouched() {
         stack(1, 1);
@@ -123,7 +126,7 @@ class ShockPropagationTest {
     }
 
     /**
-     * Two bodies below share evenly, a load beside the middle goes to the nearer points, and
+     * Two bodies below share a load equally; a load beside the middle goes to the nearer points;
      * momentum is kept.
      */
     @Test
@@ -152,7 +155,7 @@ class ShockPropagationTest {
                 .isGreaterThan(contacts.data[at + PackedContacts.IMPULSE0]);
     }
 
-    /** Body 3 on another one, by one half of its lower side. */
+    /** Body 3 on another one, over one half of its lower side. */
     private int half(int lower, double left3, double right3, double left, double right) {
         int row = island.contact(lower, 3, 0.5, 0.5);
         int at = row * PackedContacts.STRIDE;
@@ -163,7 +166,7 @@ class ShockPropagationTest {
         return row;
     }
 
-    /** What stands on one point gives way: nothing is stopped on it. */
+    /** A body that stands on one point gives way, so nothing is stopped on it. */
     @Test
     void nothingIsStoppedOnWhatStandsOnAPoint() {
         stack(1, 1, 1);
@@ -207,7 +210,7 @@ class ShockPropagationTest {
         return row;
     }
 
-    /** Without a pull nothing lies on anything; and what joins later is not there yet. */
+    /** Without a pull no body lies on another; and a body that joins later is not present yet. */
     @Test
     void nothingIsHandedDownWithoutAPullOrBeforeItJoins() {
         stack(1, 1);
@@ -232,13 +235,14 @@ class ShockPropagationTest {
         assertThat(impulse(1)).isZero();
     }
 
-    /** Each change of speed, of the outline too, is added to what a sweep has seen. */
+    /** Each change of speed, including that of the outline, counts for the next sweep. */
     @Test
     void changesAreNoted() {
         stack(1, 1);
         fall(2);
         handDown();
-        // By impulse: its mass, and the reach of 1 m times its turning, half a metre beside.
+        // Change per impulse: by the mass, and by the radius of 1 m times the turning, at a lever
+        // of half a metre.
         double perImpulse = 1 + INVERSE_INERTIA * 0.5;
         double onSecond = perImpulse * impulse(1);
         assertThat(changed[2]).isCloseTo(onSecond, within(ROUND_OFF));

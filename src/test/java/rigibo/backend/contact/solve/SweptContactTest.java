@@ -19,7 +19,7 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 
-/** Contacts at random, against Coulomb's law over their written-out rows. */
+/** Random contacts, compared with Coulomb's law over their written-out rows. */
 class SweptContactTest {
 
     private static final double H = 1.0 / 240;
@@ -38,7 +38,7 @@ class SweptContactTest {
                     true,
                     new SharedRows(null, contacts));
 
-    /** A contact with all that one can have, and impulses from before. */
+    /** A contact with all properties, and with earlier impulses. */
     private int contact(SplittableRandom random, int a, int b) {
         int row = island.contact(random, a, b);
         island.set(row, PackedContacts.GIVE, random.nextDouble(0.1));
@@ -72,7 +72,7 @@ class SweptContactTest {
         assertThat(Math.min(impulse, rest)).isLessThan(tolerance);
     }
 
-    /** Friction by the load it finds, then both points at once. */
+    /** Friction is bounded by the present load; then both points are solved at once. */
     @Test
     void onePassSolvesAContact() {
         SplittableRandom random = new SplittableRandom(1);
@@ -93,7 +93,7 @@ class SweptContactTest {
             dense.assertImpulsesTellAll(ROUND_OFF);
             assertPushes(row, 0, ROUND_OFF);
             assertPushes(row, 1, ROUND_OFF);
-            // The compliance of friction leaves 10⁻¹⁰ of it.
+            // The compliance of friction leaves 10⁻¹⁰ of its impulse.
             assertThat(island.of(row, PackedContacts.IMPULSE_T)).isCloseTo(rubs, within(1e-9));
             assertThat(contacts.work.contactSolves).isEqualTo(i + 1);
         }
@@ -116,7 +116,7 @@ class SweptContactTest {
         }
     }
 
-    /** One after the other: the second point sees what the first one was given. */
+    /** One after the other: the second point includes the effect of the first one. */
     @Test
     void pointsInTurnAreSolvedInTurn() {
         SplittableRandom random = new SplittableRandom(3);
@@ -145,7 +145,7 @@ class SweptContactTest {
         }
     }
 
-    /** Bodies of a heap: when nothing is due any more, all contacts obey Coulomb's law. */
+    /** Bodies of a heap: when no contact is due any more, all obey Coulomb's law. */
     @ParameterizedTest
     @ValueSource(ints = {6, 80})
     void passesEndAtCoulombsLaw(int count) {
@@ -160,8 +160,8 @@ class SweptContactTest {
             }
             contacts.groundStart = contacts.count;
             for (int row = 0; row < contacts.count; row++) {
-                // Small enough for friction not to let loads grow without end; and through the
-                // centres, since the friction of a contact is solved before its load.
+                // Small enough that friction does not let loads grow without end; and through the
+                // centres, since a contact's friction is solved before its load.
                 island.set(row, PackedContacts.FRICTION, random.nextDouble(0.2));
                 island.set(row, PackedContacts.LEVER_TA, 0);
                 island.set(row, PackedContacts.LEVER_TB, 0);
@@ -191,7 +191,7 @@ class SweptContactTest {
         assertThat(holds || isBraked).as("slides at %s by %s of %s", slides, rubs, cone).isTrue();
     }
 
-    /** A driven body presses with no more than it may, at both points in proportion. */
+    /** A driven body presses by no more than its bound, at both points in proportion. */
     @Test
     void pressesAreBounded() {
         SplittableRandom random = new SplittableRandom(4);
@@ -228,7 +228,7 @@ class SweptContactTest {
         assertThat(bounded).isBetween(100, 450);
     }
 
-    /** Two that only move: no bound of a driven body is theirs. */
+    /** A contact of two dynamic bodies has no bound of a press. */
     @Test
     void onlyDrivenBodiesPress() {
         SplittableRandom random = new SplittableRandom(5);
@@ -242,7 +242,7 @@ class SweptContactTest {
         assertPushes(row, 1, ROUND_OFF);
     }
 
-    /** By its closing speed, less what a gap leaves it, times h; in widths of the contact. */
+    /** By its closing speed, less the part that a gap allows, times h; in widths of the contact. */
     @Test
     void whatSinksIsTold() {
         island.begin(1);
@@ -268,7 +268,7 @@ class SweptContactTest {
         assertThat(sweep.isSinking(H, 1, 0)).isTrue();
     }
 
-    /** One pass back: of two on each other the upper contact is solved first. */
+    /** One pass back: of two contacts the upper one is solved first. */
     @Test
     void onePassTellsTheGreatestChange() {
         island.begin(2);
@@ -279,13 +279,13 @@ class SweptContactTest {
         island.onGround(1, 0.5, 0.5);
         island.contact(1, 2, 0.5, 0.5);
         contacts.groundStart = 2;
-        // 3 m/s against 1.5/kg are 2 N·s: the lower body is then at -3 m/s, and needs 3 N·s.
+        // 3 m/s over 1.5/kg are 2 N·s: the lower body is then at -3 m/s and needs 3 N·s.
         assertThat(sweep.once(H, 0)).isCloseTo(2 + 3, within(ROUND_OFF));
         assertThat(sweep.change(2)).isCloseTo(1, within(ROUND_OFF));
         assertThat(motions.data[Motions.STRIDE + Motions.VY]).isCloseTo(0, within(ROUND_OFF));
     }
 
-    /** The change of a body's outline counts, a metre from its centre, by friction as well. */
+    /** The change of a body's outline counts, one metre from its centre, also by friction. */
     @Test
     void turningCountsAsChange() {
         SplittableRandom random = new SplittableRandom(6);
@@ -312,7 +312,7 @@ class SweptContactTest {
         }
     }
 
-    /** Only what was measured anew, and what that moves. */
+    /** Only contacts that were measured again, and those of the bodies that they move. */
     @Test
     void newContactsAreSolvedFirst() {
         island.begin(4);
@@ -333,14 +333,14 @@ class SweptContactTest {
         assertThat(motions.data[Motions.STRIDE + Motions.VY]).isCloseTo(0, within(1e-8));
         assertThat(motions.data[2 * Motions.STRIDE + Motions.VY]).isCloseTo(0, within(1e-8));
         assertThat(motions.data[3 * Motions.STRIDE + Motions.VY]).isEqualTo(-1);
-        // What joins later is not there yet.
+        // A body that joins later is not present yet.
         assertThat(motions.data[4 * Motions.STRIDE + Motions.VY]).isEqualTo(-1);
         contacts.isNew[0] = false;
         sweep.runNew(H, 1, 0, 1e-9, 1e-9, 1_000);
         assertThat(motions.data[4 * Motions.STRIDE + Motions.VY]).isZero();
     }
 
-    /** In a crowd what carries nothing and parts is left alone until something is in its way. */
+    /** In a crowd a parting contact without a load is skipped until it closes again. */
     @Test
     void whatPartsInACrowdIsNotSolved() {
         int crowd = 70;
@@ -354,7 +354,7 @@ class SweptContactTest {
         contacts.work.contactSolves = 0;
         sweep.run(H, H, 0, 0, 1e-9, 1e-9, 1_000);
         assertThat(contacts.work.contactSolves).isZero();
-        // The uppermost meets the one below, and some of those below that.
+        // The uppermost body meets the one below, and some of those below that.
         motions.data[crowd * Motions.STRIDE + Motions.VY] = -0.5;
         sweep.run(H, H, 0, 0, 1e-9, 1e-9, 10_000);
         assertThat(contacts.work.contactSolves).isPositive();

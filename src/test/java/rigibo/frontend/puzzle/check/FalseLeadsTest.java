@@ -13,8 +13,8 @@ import java.util.Set;
 class FalseLeadsTest {
 
     /**
-     * The ball lies on a slope that leads past the platform and out of the world; a box alone keeps
-     * it from there.
+     * The ball lies on a slope that leads past the platform and out of the world; only a box holds
+     * it.
      */
     private static final String PAST_THE_PLATFORM =
             LevelTexts.with("\"x\": 4.5, \"y\": 2.7", "\"x\": 0.85, \"y\": 7.85")
@@ -81,7 +81,7 @@ class FalseLeadsTest {
         assertThat(leads(level, FalseLeads.Losses.AND_DEAD_ENDS, Set.of())).containsExactly("box");
     }
 
-    /** From the shelf, which is a box as well, the ball goes on to the platform. */
+    /** The shelf is a box as well, and without it the ball goes on to the platform. */
     @Test
     void aBallThatAnotherClickFreesIsInNoDeadEnd() {
         String shelf =

@@ -17,10 +17,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Predicate;
 
-/** What only playing shows, each with its own message. */
+/** Problems that only play shows, each with its own message. */
 class LevelCheckTest {
 
-    /** The box lies on a beam between two posts: neither alone lets the ball down. */
+    /** The box lies on a beam between two posts; deleting one of them does not release the ball. */
     private static final String TWO_FLOORS =
             LevelTexts.with("\"par\": 1", "\"par\": 2")
                     .replace("\"y\": 2.7", "\"y\": 3.7")
@@ -82,7 +82,7 @@ class LevelCheckTest {
                 .contains("of all", "(100 %)");
     }
 
-    /** In its world it ends, and no luck should win it. */
+    /** At the end of its world, luck should not win it. */
     @Test
     void aLevelOfTheGameIsHeldToTheBoundsOfItsPlace() {
         assertThat(check(LevelTexts.SOUND, "1-03-a.json")).noneMatch(OUT_OF_BOUNDS);
@@ -122,14 +122,14 @@ class LevelCheckTest {
                                         "/star: E154 its solution does not earn it at GAME: won"));
     }
 
-    /** The solution that players are shown must not give the star away. */
+    /** The solution shown to players must not earn the star. */
     @Test
     void aStarThatIsShownIsNoSecret() {
         assertThat(check(StarLevels.text("'type': 'keep', 'body': 'wall'")))
                 .anyMatch(line -> line.contains("/star: E154 is no secret"));
     }
 
-    /** Clicks up to 0.1 s late miss the time in most games. */
+    /** With clicks up to 0.1 s late, most games miss the time. */
     @Test
     void aStarThatTakesLuckIsTold() {
         String soon = "{\"t\": 0, \"body\": \"box\"}";

@@ -27,7 +27,7 @@ class GeneratorTest {
     private static final long FIRST = 21;
     private static final int COUNT = 3;
 
-    /** Of the level of the first seed. */
+    /** Hash of the level of the first seed. */
     private static final long HASH = -9_022_159_366_812_882_962L;
 
     private static List<Generated> levels;
@@ -50,9 +50,9 @@ class GeneratorTest {
     }
 
     /**
-     * Whoever changes what is made raises {@link Generator#VERSION}, or replays of made levels are
-     * played in others; the hash here changes with it. A new revision of the simulation may change
-     * what passes for a puzzle, too, and replays tell revisions apart by themselves.
+     * A change of the levels made must raise {@link Generator#VERSION}, or replays of former levels
+     * would be played in others; the hash here changes with it. A new revision of the simulation
+     * may also change which plans are puzzles, and replays state their revision.
      */
     @Test
     void seedKeepsItsLevelAsLongAsTheVersionStays() {
@@ -67,7 +67,7 @@ class GeneratorTest {
         assertThat(levels.stream().map(each -> each.level().hash())).doesNotHaveDuplicates();
     }
 
-    /** Reads the file again and plays it as the command does, which sieved nothing itself. */
+    /** Reads the file again and plays it as the command does, without a sieve. */
     @Test
     void everyLevelPassesTheCheckOfLevels() {
         for (Generated each : levels) {
@@ -104,7 +104,7 @@ class GeneratorTest {
         }
     }
 
-    /** Whoever waits sees how far it is; the last word is what the level took. */
+    /** Each game is reported; the last report is the effort of the level. */
     @Test
     void everyGameIsTold() {
         List<Generated.Effort> told = new ArrayList<>();

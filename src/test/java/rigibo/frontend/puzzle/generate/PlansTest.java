@@ -21,10 +21,10 @@ import rigibo.frontend.puzzle.rules.PuzzleGame;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What the parts of plans promise, for a few draws of each. */
+/** Properties of the parts of plans, for a few draws of each. */
 class PlansTest {
 
-    /** Less than a pixel and a half: nobody sees it. */
+    /** Settling that is not visible, m: less than a pixel and a half. */
     private static final double SETTLING = 0.015;
 
     private static final int DRAWS = 6;

@@ -12,7 +12,7 @@ import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Settings.Motion;
 
-/** Par reads as what a medal takes, never as a limit. */
+/** The par is worded as a medal's condition, never as a limit. */
 class CountsTest {
 
     @Test

@@ -26,10 +26,10 @@ import rigibo.frontend.scene.Words;
 
 import java.util.List;
 
-/** What is said when a try is won or lost, and what can be done then. */
+/** The panel after a win or a loss, and its commands. */
 class EndOfATryTest {
 
-    /** How many pieces are thrown at a victory. */
+    /** Number of pieces thrown at a victory. */
     private static final int CONFETTI = 120;
 
     private final PlayedLevel played = new PlayedLevel(PlayedLevel.twoBoxes());
@@ -38,7 +38,7 @@ class EndOfATryTest {
         return new PlayedLevel(PlayedLevel.rollingOff()).turns(PlayedLevel.LONG_ENOUGH);
     }
 
-    /** Until the moment of victory. */
+    /** Plays until the moment of victory. */
     private void win() {
         played.clickBox();
         while (!played.texts().contains("Solved!")) {
@@ -46,7 +46,7 @@ class EndOfATryTest {
         }
     }
 
-    /** Each stamped medal shows its rank. */
+    /** The ranks on the stamped medals. */
     private String ranks() {
         return String.join(
                 "", played.texts().stream().filter(words -> words.matches("[123]")).toList());
@@ -144,7 +144,7 @@ class EndOfATryTest {
         assertThat(Proof.of(read.recording().orElseThrow()).isSame()).isTrue();
     }
 
-    /** Where one click is enough, there is no time between clicks to be gained. */
+    /** If one click is enough, there is no time between clicks to gain. */
     @Test
     void aLossWithMoreThanOneClickTellsOfThePause() {
         String tip = "P pauses, and clicks count while the world stands still.";

@@ -24,7 +24,7 @@ import rigibo.frontend.scene.widget.Plate;
 
 import java.util.List;
 
-/** A level in a window that is held in a hand, used by its buttons. */
+/** A level in a handheld window, used by its buttons. */
 class InHandTest {
 
     private static final int LONGEST = 60 * 60;
@@ -110,7 +110,7 @@ class InHandTest {
         assertThat(RecordingCanvas.of(level, layout).lines()).hasSize(before);
     }
 
-    /** A box that is enlarged is clicked where it is seen, and needs no lens any more. */
+    /** An enlarged box is clicked at its place on the screen and needs no lens. */
     @ParameterizedTest
     @MethodSource("hands")
     void twoFingersEnlargeABoxAndOneClicksIt(Layout layout) {

@@ -25,15 +25,12 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/**
- * The first click is shown by a hand, and cooldown, clicks and hold are explained in the first
- * level.
- */
+/** A hand shows the first click; the first level explains cooldown, clicks and hold. */
 class LessonTest {
 
     private static final double SCALE = 80;
 
-    /** From the tip of the finger to where its line begins, px. */
+    /** Distance from the tip of the finger to the beginning of its line, px. */
     private static final double NAIL = 4;
 
     private static final Level ROPE =
@@ -51,7 +48,7 @@ class LessonTest {
                 .toList();
     }
 
-    /** Its finger comes to the middle of the rope, which hangs from 8 m to 5 m at x = 2 m. */
+    /** The finger comes to the middle of the rope, which hangs from 8 m to 5 m at x = 2 m. */
     @Test
     void theHandComesToWhatIsToBeClicked() {
         PlayedLevel played = new PlayedLevel(ROPE);
@@ -86,7 +83,7 @@ class LessonTest {
         assertThat(hand(played)).isEmpty();
     }
 
-    /** Only the first level of a verb teaches it, and only who has not solved it. */
+    /** Only the first level with a verb teaches it, and only until it is solved. */
     @ParameterizedTest
     @CsvSource({"0, false, true", "0, true, false", "1, false, false"})
     void nobodyIsTaughtTwice(int number, boolean isSolved, boolean isTaught) {
@@ -97,7 +94,7 @@ class LessonTest {
         assertThat(canvas.lines().isEmpty()).isNotEqualTo(isTaught);
     }
 
-    /** Its first solution begins with freezing, which no level before it has; its gate is known. */
+    /** The level's first solution begins with freezing, which is new; its gate is known. */
     @Test
     void aNewVerbBesideAKnownOneIsTaught() {
         List<Level> all = Levels.all();
@@ -134,7 +131,7 @@ class LessonTest {
         assertThat(first.words(game)).as("it is solved").isEmpty();
     }
 
-    /** In every language, in the first level of the game. */
+    /** In the first level of the game, in every language. */
     @ParameterizedTest
     @CsvSource({
         "en, next click when the ring is full, 'the fewer clicks, the better the medal',"

@@ -26,12 +26,12 @@ import rigibo.frontend.scene.Words;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The effects bar in a level: a win with other effects than the level's own earns nothing. */
+/** The effects bar in a level: a win under other effects than the level's own earns no prize. */
 class PuzzleExperimentTest {
 
     private static final String NOT_COUNTED = "an experiment: does not count";
 
-    /** The click at 1 s, the fall and the hold of 3 s are over by then, in turns. */
+    /** Turns in which the click at 1 s, the fall and the hold of 3 s are over. */
     private static final int LONG_ENOUGH = 8 * 60;
 
     private final RecordingDirector director = new RecordingDirector();
@@ -51,7 +51,7 @@ class PuzzleExperimentTest {
         scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
     }
 
-    /** Deletes the box that the ball stands on, by keys, and waits. */
+    /** Deletes the box below the ball by keys, and waits. */
     private void solve() {
         scene.keyPressed(Key.TAB);
         scene.keyPressed(Key.ENTER);
@@ -121,7 +121,7 @@ class PuzzleExperimentTest {
         assertThat(director.progress()).isEqualTo(Progress.none());
     }
 
-    /** What happened while it was on stays, so it counts as little once it is off again. */
+    /** The consequences remain, so the try does not count after the effect is off again. */
     @Test
     void anExperimentStaysOneWhenTheEffectIsSwitchedBack() {
         scene.keyPressed(Key.E);

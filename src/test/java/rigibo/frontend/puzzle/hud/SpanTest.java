@@ -21,7 +21,9 @@ class SpanTest {
         assertThat(top(new Span(400, 424))).isEqualTo(68);
     }
 
-    /** The ball in the upper half, the platform at the lower edge: between the two. */
+    /**
+     * With the ball in the upper half and the platform at the lower edge, it lies between the two.
+     */
     @Test
     void liesBetweenWhatIsAboveAndBelow() {
         assertThat(top(new Span(200, 256), new Span(700, 724))).isEqualTo(268);
@@ -32,7 +34,7 @@ class SpanTest {
         assertThat(top(new Span(200, 256), new Span(256, 280))).isEqualTo(292);
     }
 
-    /** 24 px of the platform are less than 56 px of a ball. */
+    /** It covers 24 px of the platform instead of 56 px of a ball. */
     @Test
     void coversAsLittleAsCanBe() {
         assertThat(top(new Span(200, 256), new Span(450, 474), new Span(600, 656)))

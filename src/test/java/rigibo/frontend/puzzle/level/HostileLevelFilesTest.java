@@ -19,15 +19,15 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** Files of a megabyte or less that took gigabytes, an hour, or a hundred thousand lines. */
+/** Files of a megabyte or less that once took gigabytes, an hour, or a hundred thousand lines. */
 class HostileLevelFilesTest {
 
     private static final int MOST_BYTES = 1_000_000;
 
-    /** 64 bytes for each that a file may have, whatever it says. */
+    /** 64 bytes for each byte of the largest file. */
     private static final long MOST_ALLOCATED = 64L << 20;
 
-    /** A hundred problems and how many more there are. */
+    /** A hundred problems and the number of the rest. */
     private static final int MOST_TOLD = 101;
 
     private static final String BOX = "{\"type\": \"box\", \"w\": 1, \"h\": 1}";

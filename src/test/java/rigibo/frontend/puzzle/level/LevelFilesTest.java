@@ -119,7 +119,7 @@ class LevelFilesTest {
         assertThat(files).extracting(LevelShelf::world).containsExactly(1, 1, 2);
     }
 
-    /** More would not fit on their page of the list. */
+    /** More levels would not fit on their page of the list. */
     @Test
     void aWorldHoldsTenLevelsAtMost() {
         Map<Integer, Long> counts =

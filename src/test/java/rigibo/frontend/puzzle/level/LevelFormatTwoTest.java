@@ -21,7 +21,7 @@ import rigibo.frontend.puzzle.rules.PuzzleGame;
 
 import java.util.List;
 
-/** What came with format 2: capsules, round corners, compounds, driven platforms. */
+/** Features of format 2: capsules, round corners, compounds, driven platforms. */
 class LevelFormatTwoTest {
 
     private static final String WALL =
@@ -33,7 +33,7 @@ class LevelFormatTwoTest {
                     + " \"y\": 1, \"material\": \"iron\",\n"
                     + "     \"path\": {\"points\": [[8, 3], [7, 3]], \"speed\": 2, \"pause\": 1}}";
 
-    /** The sound level of format 2 with another thing in the place of its wall. */
+    /** The valid level of format 2 with another body in place of its wall. */
     private static String with(String body) {
         String sound = LevelTexts.with("\"format\": 1", "\"format\": 2");
         assertThat(sound).contains(WALL);
@@ -66,7 +66,10 @@ class LevelFormatTwoTest {
         assertThat(thing.shape().smallestWidth()).isCloseTo(0.5, within(1e-12));
     }
 
-    /** Two boxes of 1 × 1 m side by side: the centre of mass half way, turned by 90° above. */
+    /**
+     * Two boxes of 1 × 1 m side by side: the centre of mass is half way between, and above after
+     * 90°.
+     */
     @Test
     void aCompoundIsPlacedByThePointItsPartsAreStatedFrom() {
         String box = "{\"shape\": {\"type\": \"box\", \"w\": 1, \"h\": 1}";
@@ -83,7 +86,9 @@ class LevelFormatTwoTest {
         assertThat(thing.y()).isCloseTo(5.5, within(1e-12));
     }
 
-    /** A triangle's centroid lies a third of its height over its base; its part is turned half. */
+    /**
+     * A triangle's centroid is a third of its height above its base; the part is turned by 180°.
+     */
     @Test
     void aPolygonAmongThePartsIsPlacedByItsOwnPoint() {
         LevelBody thing =
@@ -210,7 +215,7 @@ class LevelFormatTwoTest {
                                 + " false, or a path");
     }
 
-    /** Thrown up at 8 m/s from 1 m below, the shelf lets the ball through; falling, it holds it. */
+    /** Thrown up at 8 m/s from 1 m below, the ball passes the shelf; falling, it is held. */
     @Test
     void aShelfIsPassedFromBelowAndHoldsFromAbove() {
         String shelf = WALL.replace("\"dynamic\"", "\"oneWay\": 90, \"dynamic\"");
@@ -233,14 +238,14 @@ class LevelFormatTwoTest {
             game.step();
             highest = Math.max(highest, ball.y());
         }
-        // Undisturbed it rises by v²/2g, seen at steps: less by up to g·dt²/8.
+        // Undisturbed it rises by v²/2g; sampled at steps, by up to g·dt²/8 less.
         assertThat(highest).isCloseTo(3 + 64 / (2 * 9.81), within(0.001));
         assertThat(ball.y()).isCloseTo(4.1 + 0.35, within(0.001));
     }
 
     /**
-     * At 2 m/s: it leaves after a second's pause, is 2 m higher a second later, waits, goes 1 m to
-     * the left in half a second, waits, and comes back the way it went.
+     * At 2 m/s the lift leaves after a pause of one second and is 2 m higher one second later. It
+     * waits, goes 1 m to the left in half a second, waits, and comes back the same way.
      */
     @Test
     void aLiftIsWhereItsPathSaysAtEachTimeAndComesBack() {
@@ -263,7 +268,7 @@ class LevelFormatTwoTest {
     void aRoundPathGoesStraightToItsStartAndOneThatStaysStays() {
         String round = LIFT.replace("\"pause\": 1", "\"end\": \"round\"");
         assertThat(after(round, 1 + 0.5)[0]).isCloseTo(7, within(1e-9));
-        // √(1² + 2²) m home at 2 m/s, in whole steps.
+        // √(1² + 2²) m back at 2 m/s, in whole steps.
         int home = Steps.of(Math.sqrt(5) / 2);
         double[] back = after(round, 1.5 + Steps.seconds(home));
         assertThat(back).containsExactly(new double[] {8, 1}, within(1e-9));
@@ -280,7 +285,7 @@ class LevelFormatTwoTest {
         return new double[] {body.x(), body.y()};
     }
 
-    /** What the editor has no tools for it moves and turns, and loses nothing of. */
+    /** The editor moves and turns bodies that it cannot edit, and loses none of their members. */
     @Test
     void theEditorKeepsWhatItCannotEdit() {
         String part = "{\"shape\": {\"type\": \"capsule\", \"length\": 1, \"r\": 0.2}, \"y\": 0.3}";

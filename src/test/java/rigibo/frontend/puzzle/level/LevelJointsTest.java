@@ -17,14 +17,14 @@ import rigibo.frontend.puzzle.rules.PuzzleGame;
 
 import java.util.List;
 
-/** Joints in levels: read, refused where they cannot be, and at work in play. */
+/** Joints in levels: reading, errors, and play. */
 class LevelJointsTest {
 
     private static final String ROPE =
             "{\"type\": \"rope\", \"a\": \"hook\", \"b\": \"ball\", \"from\": [2, 8], \"to\": [2,"
                     + " 5], \"length\": 3}";
 
-    /** A ball that hangs from a hook, which a click deletes; the platform lies below. */
+    /** A ball on a hook that a click deletes; the platform lies below. */
     private static String hanging(String joints) {
         return """
         {
@@ -94,7 +94,7 @@ class LevelJointsTest {
         assertThat(game.pool().joints()).extracting(Joint::kind).contains(kind);
     }
 
-    /** On its rope the ball hangs where it is; without the hook it falls on the platform. */
+    /** The rope holds the ball in place; without the hook it falls on the platform. */
     @Test
     void aRopeCarriesTheBallUntilItsHookIsDeleted() {
         PuzzleGame game =
@@ -133,7 +133,7 @@ class LevelJointsTest {
                         + " 10.0"
             })
     void whatCannotBeIsToldWhereItStands(String text, String pointer, String words) {
-        // The bar overlaps its post, which only who are joined may.
+        // The bar overlaps its post, which only joined bodies may.
         List<String> problems = LevelTexts.problems(hanging(text.replace('\'', '"')));
         assertThat(problems)
                 .anyMatch(told -> told.contains(pointer + ": ") && told.contains(words));
@@ -158,7 +158,7 @@ class LevelJointsTest {
                 .anyMatch(told -> told.contains("E140") && told.contains("joints"));
     }
 
-    /** Replays must not be taken for those of a level with another rope. */
+    /** A replay of the level with another rope must be refused. */
     @Test
     void theHashTellsOneJointFromAnother() {
         long plain = LevelTexts.level(hanging(HINGE)).hash();
@@ -168,7 +168,7 @@ class LevelJointsTest {
         assertThat(List.of(plain, one, other)).doesNotHaveDuplicates();
     }
 
-    /** It has no tools for them, and loses none of them. */
+    /** The editor has no tools for joints, and loses none of them. */
     @Test
     void theEditorKeepsJoints() {
         Level level = LevelTexts.level(hanging(HINGE + ",\n" + ROPE));

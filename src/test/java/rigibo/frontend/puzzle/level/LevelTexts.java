@@ -4,7 +4,7 @@ import rigibo.frontend.document.Problem;
 
 import java.util.List;
 
-/** A small sound level whose lines the tests break one at a time. */
+/** A small valid level, in which tests break one line at a time. */
 public final class LevelTexts {
 
     /** Line numbers in the tests count in this text; the box stands on the platform. */
@@ -35,13 +35,13 @@ public final class LevelTexts {
 
     private LevelTexts() {}
 
-    /** What is wrong with the text of a level, a line each. */
+    /** The problems of a level's text, a line each. */
     static List<String> problems(String text) {
         return new LevelLoader()
                 .parse("a.json", text).problems().stream().map(Problem::toString).toList();
     }
 
-    /** The sound level with some of its text replaced. */
+    /** The valid level with a part of its text replaced. */
     public static String with(String part, String replacement) {
         if (!SOUND.contains(part)) {
             throw new IllegalArgumentException("the sound level has no " + part);
@@ -49,12 +49,12 @@ public final class LevelTexts {
         return SOUND.replace(part, replacement);
     }
 
-    /** The sound level, read. */
+    /** The valid level, read. */
     public static Level sound() {
         return level(SOUND);
     }
 
-    /** A level from its text, which must be sound. */
+    /** Reads a level from its text, which must be valid. */
     public static Level level(String text) {
         LoadedLevel loaded = new LevelLoader().parse("level.json", text);
         return loaded.level()

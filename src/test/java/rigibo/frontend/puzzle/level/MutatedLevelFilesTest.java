@@ -18,7 +18,7 @@ import rigibo.frontend.scene.Words;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** A par of 1e308 ended in a stack trace. */
+/** Mutated levels give problems, never exceptions: a par of 1e308 once ended in a stack trace. */
 class MutatedLevelFilesTest {
 
     private static final List<Words> LANGUAGES =
@@ -31,7 +31,7 @@ class MutatedLevelFilesTest {
         Mutations.of(LevelTexts.SOUND).forEach(this::assertReadOrTold);
     }
 
-    /** What other levels have besides. */
+    /** Members that other levels have in addition. */
     static Stream<Arguments> more() {
         String box = "{\"type\": \"box\", \"w\": 0.5, \"h\": 4}";
         return Stream.of(

@@ -37,7 +37,7 @@ class OverlapTest {
         assertDepth(box(0, 0, 0), box(1.25, 0, 0), -0.25);
     }
 
-    /** A unit square on its corner reaches √½ from its centre. */
+    /** A unit square on its corner extends √½ from its centre. */
     @Test
     void aTurnedBoxReachesFurther() {
         assertDepth(box(0, 0, 0), box(1.2, 0, Math.PI / 4), 0.5 + Math.sqrt(0.5) - 1.2);
@@ -48,7 +48,7 @@ class OverlapTest {
         assertDepth(disc(0, 0), disc(0.6, 0.6), 1 - 0.6 * Math.sqrt(2));
     }
 
-    /** Near a corner the distance goes to the corner, not to an edge's line. */
+    /** Near a corner the distance is that to the corner, not to an edge's line. */
     @Test
     void aDiscNearACornerIsApartAlthoughBothEdgesSeeItNear() {
         assertDepth(box(0, 0, 0), disc(0.9, 0.9), 0.5 - 0.4 * Math.sqrt(2));
@@ -59,7 +59,7 @@ class OverlapTest {
         assertDepth(box(0, 0, 0), disc(0.3, 0), 0.7);
     }
 
-    /** Cores of 1 m at right angles, their nearest points 0.7 m apart; radii of 0.2 m each. */
+    /** Cores of 1 m at right angles, with nearest points 0.7 m apart and radii of 0.2 m. */
     @Test
     void capsulesMeasureTheirCoresAndRadii() {
         BodyDefinition lying = BodyDefinition.fixed(new Capsule(0.5, 0.2));
@@ -68,7 +68,7 @@ class OverlapTest {
         assertDepth(lying, lying.at(0.2, 0.1), 0.4 - 0.1);
     }
 
-    /** At the corner a rounded box of 1 m with a rim of 0.2 m reaches 0.3·√2 + 0.2 m. */
+    /** At its corner a rounded box of 1 m with a radius of 0.2 m extends 0.3·√2 + 0.2 m. */
     @Test
     void aRoundedCornerIsPassedNearer() {
         BodyDefinition box = BodyDefinition.fixed(Polygon.box(0.6, 0.6).rounded(0.2));
@@ -83,7 +83,7 @@ class OverlapTest {
                 Compound.of(
                         Part.of(Polygon.box(2, 0.5)), Part.of(Polygon.box(0.5, 2)).at(-0.75, 1));
         BodyDefinition placed = BodyDefinition.fixed(ell).at(ell.centroidX(), ell.centroidY());
-        // In its dent, 0.1 m off the upright.
+        // In its dent, 0.1 m from the upright part.
         assertDepth(placed, disc(0.1, 0.95), -0.1);
         assertDepth(placed, disc(0.1, 0.6), 0.15);
     }

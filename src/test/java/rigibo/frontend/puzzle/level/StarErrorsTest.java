@@ -11,10 +11,10 @@ import rigibo.frontend.document.Problem;
 
 import java.util.List;
 
-/** What a level file says of a star that it cannot mean. */
+/** Stars of level files that are not possible. */
 class StarErrorsTest {
 
-    /** The errors; that a wall can be deleted is but a warning. */
+    /** The errors; a wall that can be deleted is only a warning. */
     private static List<String> errors(String text) {
         return new LevelLoader()
                 .parse("a.json", text).problems().stream()
@@ -60,7 +60,7 @@ class StarErrorsTest {
                 .anyMatch(line -> line.contains(told.replace('\'', '"')));
     }
 
-    /** In the sound level the wall stays, and the box alone can be clicked. */
+    /** In the valid level the wall is fixed, and only the box can be clicked. */
     @ParameterizedTest
     @CsvSource(
             delimiter = ';',

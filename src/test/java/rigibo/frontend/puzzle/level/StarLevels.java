@@ -1,25 +1,25 @@
 package rigibo.frontend.puzzle.level;
 
-/** Levels with a secret star, made of the small sound one. */
+/** Levels with a secret star, based on the small valid one. */
 public final class StarLevels {
 
     private static final String WALL = "\"material\": \"stone\", \"dynamic\": false";
 
-    /** Clicks that earn the star where a test does not ask for others. */
+    /** Clicks that earn the star by default. */
     private static final String BOX = "{\"t\": 1.0, \"body\": \"box\"}";
 
     private StarLevels() {}
 
     /**
-     * The text of a level with a star: the ball stands on "box", and "wall" can be deleted too.
+     * The text of a level with a star: the ball stands on "box", and "wall" can be deleted, too.
      *
-     * @param feat type and what belongs to it, with single quotes
+     * @param feat its type and parameters, with single quotes
      */
     public static String text(String feat) {
         return text(feat, BOX);
     }
 
-    /** The text of such a level whose star is earned by given clicks. */
+    /** The text of such a level with given clicks that earn its star. */
     public static String text(String feat, String clicks) {
         String star =
                 "\"star\": {"

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import java.util.regex.Pattern;
 
-/** What a level file says of clicks that it cannot mean. */
+/** Verbs of level files that are not possible. */
 class VerbErrorsTest {
 
     @ParameterizedTest
@@ -82,7 +82,7 @@ class VerbErrorsTest {
                 .anyMatch(line -> line.contains("E103 \"blast\" needs format 2"));
     }
 
-    /** Whether a switch begins on decides how a level plays. */
+    /** The initial state of a switch decides how a level plays. */
     @Test
     void howASwitchBeginsIsPartOfTheHash() {
         long off = hash(VerbLevels.MACHINES);
@@ -115,7 +115,7 @@ class VerbErrorsTest {
                 .isNotEmpty();
     }
 
-    /** Levels without verbs have the hash that they had, so that their replays still play. */
+    /** Levels without verbs keep their hash, so that their replays can still be played. */
     @Test
     void aClickOnAJointIsPartOfTheHashAndItsNameAloneIsNot() {
         long plain = hash(VerbLevels.ROPE.replace("\"id\": \"line\", \"click\": \"cut\", ", ""));

@@ -37,7 +37,7 @@ public final class VerbLevels {
                     }
                     """;
 
-    /** A bar that two pins hold level, of which one can be pulled. */
+    /** A bar held level by two pins, one of which can be pulled. */
     public static final String PIN =
             HEAD
                     + """
@@ -117,8 +117,8 @@ public final class VerbLevels {
                     """;
 
     /**
-     * Four bombs in a row, without weight, whose weak blasts reach 2 m: each but the last is within
-     * reach of the one before it.
+     * Four bombs in a row, without gravity, with weak blasts of 2 m: all but the last are within
+     * reach of the one before.
      */
     public static final String BOMBS =
             HEAD.replace("-9.81", "0")
@@ -137,8 +137,8 @@ public final class VerbLevels {
                     + "]}";
 
     /**
-     * The ball falls from 2 m onto a plate of ember that can be frozen and lies on a floor; beside
-     * it a crate lies on another.
+     * The ball falls from 2 m onto a plate of ember that lies on a floor and can be frozen; beside
+     * it a crate lies on another one.
      */
     public static final String EMBERS =
             HEAD.replace("\"joints\"", "\"continuous-impacts\"")
@@ -179,7 +179,7 @@ public final class VerbLevels {
         return of(MACHINES);
     }
 
-    /** A level of a text, read. */
+    /** The level of a text. */
     public static Level of(String text) {
         return LevelTexts.level(text);
     }

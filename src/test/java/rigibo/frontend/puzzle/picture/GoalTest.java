@@ -16,7 +16,7 @@ import rigibo.frontend.scene.Skin;
 
 import java.util.List;
 
-/** The goal is told from everything else by its colour and by its flag. */
+/** The goal is recognised by its colour and its flag. */
 class GoalTest {
 
     @ParameterizedTest
@@ -65,7 +65,7 @@ class GoalTest {
         assertThat(new Goal(narrow, List.of()).parts().get(1).shape().area()).isPositive();
     }
 
-    /** Where the flag's pole is among bodies, m. */
+    /** Position of the flag's pole among bodies, m. */
     private static double pole(Platform goal, List<Part> bodies) {
         return new Goal(goal, bodies).parts().get(0).x();
     }

@@ -8,7 +8,7 @@ import rigibo.frontend.puzzle.PlayedLevel;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Totals;
 
-/** What is counted of a player's tries. */
+/** Counts of a player's tries. */
 class PlayCountTest {
 
     private final PlayedLevel played = new PlayedLevel(PlayedLevel.twoBoxes());

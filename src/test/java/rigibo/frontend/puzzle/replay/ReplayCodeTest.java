@@ -24,7 +24,7 @@ class ReplayCodeTest {
 
     private final Level level = LevelTexts.sound();
 
-    /** A run whose states are drawn at random, as hashes look. */
+    /** A run with random states, which look like hashes. */
     private Recording run(int states, int clicks) {
         SplittableRandom random = new SplittableRandom(states);
         List<Checkpoint> checkpoints = new ArrayList<>();

@@ -34,7 +34,7 @@ class ReplayErrorsTest {
                     + Pool.REVISION
                     + ", in which bodies move otherwise: it is kept, and not played";
 
-    /** Places in the tests count in this text. */
+    /** The text to which line numbers in the tests refer. */
     private static final String SOUND =
             """
             {

@@ -90,7 +90,7 @@ class ReplayShelfTest {
         assertThat(read(shelf.best())).isEqualTo(wasteful);
     }
 
-    /** As another revision of the simulation would have written them. */
+    /** Files as another revision of the simulation would have written them. */
     @Test
     void runsOfAnotherRevisionAreToldKeptAndNeverPlayed() throws IOException {
         shelf.keep(quick);

@@ -12,7 +12,7 @@ import rigibo.frontend.puzzle.level.VerbLevels;
 
 import java.util.List;
 
-/** Ropes that are cut and pins that are pulled, by the rules of every click. */
+/** Ropes that are cut and pins that are pulled, by the rules of all clicks. */
 class CutAndPullTest {
 
     private static PuzzleGame game(Level level) {
@@ -25,7 +25,7 @@ class CutAndPullTest {
         }
     }
 
-    /** The ball hangs at rest; cut loose, it falls as in vacuum: g·t²/2 after half a second. */
+    /** The ball hangs at rest; cut loose, it falls by g·t²/2 in half a second. */
     @Test
     void aCutRopeLetsGoOfWhatHungOnIt() {
         PuzzleGame game = game(VerbLevels.rope());
@@ -48,14 +48,14 @@ class CutAndPullTest {
         assertThat(game(VerbLevels.rope()).click(2.2, 6.5)).isEqualTo(ClickResult.NOTHING_THERE);
     }
 
-    /** A slack rope hangs through: it is found where it is drawn, not between its ends. */
+    /** A slack rope sags: it is found at its drawing, not between its ends. */
     @Test
     void aSlackRopeIsFoundWhereItSags() {
         PuzzleGame game = game(VerbLevels.slackRope());
         List<Target> all = game.targets();
         Link link = (Link) all.get(all.size() - 1);
         double sag = link.a().y() - link.y();
-        // A parabola of depth d over a span s is about s + 8d²/3s long: 4.5 m over 4 m.
+        // The length of a parabola of depth d over a span s is about s + 8d²/3s: 4.5 m over 4 m.
         assertThat(sag).isCloseTo(Math.sqrt(3.0 / 8 * 4 * 0.5), within(0.05));
         assertThat(game.click(link.x(), link.a().y())).isEqualTo(ClickResult.NOTHING_THERE);
         assertThat(game.click(link.x(), link.y())).isEqualTo(ClickResult.DONE);
@@ -68,7 +68,7 @@ class CutAndPullTest {
         assertThat(game.act("line")).isEqualTo(ClickResult.NOTHING_THERE);
     }
 
-    /** The box in front of the rope is meant by a click on both. */
+    /** A click on both the box and the rope behind it means the box. */
     @Test
     void aBoxThatCanBeDeletedComesBeforeARope() {
         PuzzleGame game = game(VerbLevels.rope());
@@ -95,7 +95,7 @@ class CutAndPullTest {
         assertThat(game.click(2, 7)).isEqualTo(ClickResult.NOTHING_THERE);
     }
 
-    /** A rope goes with the box that it hung on, and is no click left over. */
+    /** Deleting the box deletes its rope, which is no remaining target. */
     @Test
     void aRopeGoesWithItsBody() {
         PuzzleGame game = game(VerbLevels.rope());
@@ -103,7 +103,7 @@ class CutAndPullTest {
         assertThat(game.target("line").orElseThrow().isClickable()).isFalse();
     }
 
-    /** A bar held level by two pins turns about the other one when one is pulled. */
+    /** When one of two pins that hold a bar level is pulled, the bar turns about the other. */
     @Test
     void aPulledPinLetsGoAndTheOtherHolds() {
         PuzzleGame game = game(VerbLevels.pin());
@@ -113,12 +113,12 @@ class CutAndPullTest {
         assertThat(game.click(7, 5)).isEqualTo(ClickResult.DONE);
         step(game, 20);
         assertThat(bar.angle()).isLessThan(-0.1);
-        // What the other pin holds stays where it was, to a joint's tolerance at GAME.
+        // The point at the other pin stays in place, to a joint's tolerance at GAME.
         assertThat(bar.worldX(-1, 0)).isCloseTo(5, within(1e-3));
         assertThat(bar.worldY(-1, 0)).isCloseTo(5, within(1e-3));
     }
 
-    /** A pin is drawn over the body that it holds, so it comes first even if that is clickable. */
+    /** A pin is drawn over its body, so it has precedence even over a clickable body. */
     @Test
     void aPinComesBeforeTheBoxThatItHolds() {
         String deletable = VerbLevels.PIN.replace("\"rigibo\"", "\"rigibo\", \"deletable\": true");

@@ -68,7 +68,7 @@ class FireDoorsTest {
         assertThat(piece(game, "plate").melt()).isEmpty();
     }
 
-    /** The ball lies still on it, but is going to fall. */
+    /** The ball lies still on the door, but will fall. */
     @Test
     void nothingIsLostWhileItMelts() {
         step(game, LANDS);
@@ -87,7 +87,7 @@ class FireDoorsTest {
         assertThat(piece(again.game(), "plate").isAlive()).isFalse();
     }
 
-    /** All numbers of ember could be stated for a stone, which would be another game. */
+    /** A stone could have all numbers of ember, and yet the level would play otherwise. */
     @Test
     void tellsItsLevelFromOneOfStone() {
         String likeEmber = "\"stone\", \"density\": 2000, \"friction\": 0.5, \"restitution\": 0";

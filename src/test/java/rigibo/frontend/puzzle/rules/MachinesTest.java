@@ -30,7 +30,9 @@ class MachinesTest {
         }
     }
 
-    /** 1000 N·m turn a wheel of 59 kg·m² from rest to 4 rad/s in a quarter of a second. */
+    /**
+     * A torque of 1000 N·m turns a wheel of 59 kg·m² from rest to 4 rad/s in a quarter of a second.
+     */
     @Test
     void aMotorDrivesWhileItIsOnAndLetsTheWheelRunOnAfterwards() {
         step(60);
@@ -40,11 +42,11 @@ class MachinesTest {
         assertThat(body("wheel").angularVelocity()).isCloseTo(4, within(1e-6));
         assertThat(game.act("motor")).isEqualTo(ClickResult.DONE);
         step(60);
-        // It hangs in its centre and nothing brakes it.
+        // The wheel hangs in its centre, and nothing brakes it.
         assertThat(body("wheel").angularVelocity()).isCloseTo(4, within(1e-6));
     }
 
-    /** From rest to 2 m/s at μ·g, μ = √(0.9 · 0.4), takes 0.34 s and 0.34 m of the belt. */
+    /** From rest to 2 m/s at μ·g with μ = √(0.9 · 0.4): 0.34 s and 0.34 m of the belt. */
     @Test
     void aBeltCarriesWhileItIsOn() {
         double before = body("crate").x();
@@ -100,7 +102,9 @@ class MachinesTest {
         assertThat(body("mark").velocityX()).isGreaterThan(0.3);
     }
 
-    /** Each goes off a second after the one that lit it; the last is a centimetre too far off. */
+    /**
+     * Each bomb explodes a second after the one that lit it; the last is a centimetre out of reach.
+     */
     @Test
     void aBlastLightsTheBombsWithinItsReach() {
         Level bombs = VerbLevels.of(VerbLevels.BOMBS);
@@ -136,7 +140,7 @@ class MachinesTest {
         assertThat(game.clicks()).isEqualTo(1);
     }
 
-    /** All lies still while the fuse burns, but something is going to move. */
+    /** All bodies lie still while the fuse burns, but will move. */
     @Test
     void nothingIsLostWhileAFuseBurns() {
         step(300);

@@ -16,7 +16,7 @@ class PuzzleGameTest {
 
     private static final String WALL = "\"material\": \"stone\", \"dynamic\": false";
 
-    /** As the sound level, and its wall can be deleted too. */
+    /** The valid level, with a wall that can be deleted, too. */
     private static final Level TWO_BOXES =
             LevelTexts.level(LevelTexts.with(WALL, WALL + ", \"deletable\": true"));
 
@@ -111,7 +111,7 @@ class PuzzleGameTest {
         assertThat(game.click(8, 2)).isEqualTo(ClickResult.OVER);
     }
 
-    /** The second ball stands on a shelf beside the platform: the first alone does not count. */
+    /** The second ball stands on a shelf beside the platform, so the first alone does not win. */
     @Test
     void aLevelWithTwoBallsIsWonByBothOrNotAtAll() {
         String aside =
@@ -146,9 +146,8 @@ class PuzzleGameTest {
     }
 
     /**
-     * A box of 500 kg/m² in water of 1000 kg/m² floats half under (Archimedes): its middle comes to
-     * lie on the surface. A body floats still when its drag has eaten the bobbing of a second or
-     * so.
+     * A box of 500 kg/m² in water of 1000 kg/m² floats half submerged (Archimedes), with its middle
+     * on the surface. It comes to rest after its drag has damped a second or so of bobbing.
      */
     @Test
     void aBoxFloatsWithItsMiddleOnTheSurface() {
@@ -161,7 +160,7 @@ class PuzzleGameTest {
         assertThat(game.pieces().get(0).body().y()).isCloseTo(2.6, within(0.001));
     }
 
-    /** Free fall from y to below 0 takes √(2(y + r)/g) s; the ball starts beside everything. */
+    /** Free fall from y to below 0 takes √(2(y + r)/g) s; the ball starts beside all bodies. */
     @Test
     void aBallThatFallsPastEverythingLeavesTheWorld() {
         PuzzleGame game =

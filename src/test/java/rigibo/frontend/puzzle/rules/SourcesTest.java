@@ -12,7 +12,7 @@ import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.VerbLevels;
 
-/** Fans and magnets of a level, which clicks switch. */
+/** Fans and magnets of a level, switched by clicks. */
 class SourcesTest {
 
     private final Level level = VerbLevels.sources();
@@ -29,8 +29,8 @@ class SourcesTest {
     }
 
     /**
-     * Over the fan, 0.3 m down its stream, a plank of 0.5 m and 90 kg feels 2000 · 0.5 · 0.95 N
-     * against 883 N of weight: it swings about where the two are equal, 0.7 m down the stream.
+     * A plank of 0.5 m and 90 kg, 0.3 m along the fan's stream, feels 2000 · 0.5 · 0.95 N against a
+     * weight of 883 N. It swings about the place where both are equal, 0.7 m along the stream.
      */
     @Test
     void aFanThatIsSwitchedOnLiftsAPlank() {
@@ -43,7 +43,7 @@ class SourcesTest {
         double middle = 0.55 + 6 * (1 - mass * 9.81 / (2000 * 0.5));
         step(90);
         double then = middle - (middle - low) * Math.cos(omega * 1.5);
-        // The integrator of GAME, over a second and a half.
+        // The error of the integrator of GAME over a second and a half.
         assertThat(body("plank").y()).isCloseTo(then, within(1e-3));
         game.act("fan");
         step(120);
@@ -62,7 +62,7 @@ class SourcesTest {
         assertThat(body("iron").y()).isLessThan(1);
     }
 
-    /** An experiment switches other effects; streams that blow go on blowing. */
+    /** An experiment changes other effects; the streams go on. */
     @Test
     void anExperimentKeepsTheStreams() {
         game.act("fan");

@@ -14,7 +14,7 @@ import rigibo.frontend.puzzle.level.StarLevels;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Which games earn a star: the ball stands on "box", and "wall" stands aside. */
+/** The games that earn a star: the ball stands on "box", and "wall" stands aside. */
 class StarTest {
 
     private static PuzzleGame played(Level level, String clicks) {
@@ -30,7 +30,7 @@ class StarTest {
         return playback.game();
     }
 
-    /** The ball falls 1 m in 0.45 s, and the hold takes 3 s; the last click comes in time. */
+    /** The ball falls 1 m in 0.45 s, and the hold takes 3 s; the last click is in time. */
     @ParameterizedTest
     @CsvSource(
             delimiter = ';',

@@ -27,7 +27,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** The player's best run beside the game: always at the same step, whatever the player does. */
+/** The player's best run beside the game is always at the same step. */
 class GhostOfTheBestRunTest {
 
     @TempDir Path folder;
@@ -83,7 +83,7 @@ class GhostOfTheBestRunTest {
         assertAt(ghost, 0);
     }
 
-    /** Whoever takes longer than the best run sees where it ended. */
+    /** After the end of the best run the ghost waits there. */
     @Test
     void itWaitsAtItsEnd() {
         Session session = new Session(level, Accuracy.GAME);
@@ -132,7 +132,7 @@ class GhostOfTheBestRunTest {
         assertThat(ghosts(opened())).isZero();
     }
 
-    /** With the hint, which comes after three failures, there are most keys. */
+    /** The hint, which comes after three failures, makes the number of keys the largest. */
     @ParameterizedTest
     @ValueSource(strings = {"en", "de"})
     void itsKeyHasRoomBesideAllOthers(String language) {
@@ -149,7 +149,7 @@ class GhostOfTheBestRunTest {
         assertThat(Legibility.faults(scene)).isEmpty();
     }
 
-    /** Without a run there is nothing to show, even if the player wants to see it. */
+    /** Without a run there is no ghost, even if the player wants one. */
     @Test
     void itComesWithTheTryAfterTheFirstSolution() {
         director.settings(director.settings().withGhost(true));

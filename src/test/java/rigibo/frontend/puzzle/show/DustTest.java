@@ -21,7 +21,7 @@ class DustTest {
                 .material(Substance.RIGIBO.material());
     }
 
-    /** How many puffs a box of 1 m raises that comes to a floor at a speed, m/s. */
+    /** Number of puffs of a box of 1 m that hits a floor at a speed, m/s. */
     private static int puffsAt(double speed) {
         Pool pool = new Pool();
         pool.add(BodyDefinition.fixed(Polygon.box(10, 1)).at(0, -0.5));

@@ -14,17 +14,17 @@ import rigibo.frontend.scene.Settings.Motion;
 
 import java.util.List;
 
-/** The ring round the ball: 3 s of hold fill it, and what is lost is seen. */
+/** The ring around the ball: 3 s of hold fill it, and the lost part stays visible for a moment. */
 class HoldRingTest {
 
-    /** Of the ball of 0.35 m at 80 px/m, and its gap. */
+    /** Radius for the ball of 0.35 m at 80 px/m, and its gap. */
     private static final double RADIUS = 0.35 * 80 + 8;
 
     private static final int LOST_TURNS = 36;
 
     private static final double PANEL_FOOT = 300;
 
-    /** How much of the ring is filled. */
+    /** The filled share of the ring. */
     private static double held(RecordingCanvas canvas) {
         return canvas.rings().stream()
                 .filter(ring -> Math.abs(ring.radius() - RADIUS) < 1e-9)
@@ -34,7 +34,7 @@ class HoldRingTest {
                 .orElse(0);
     }
 
-    /** The opacities of the pieces of what is lost; the panel of a lost try is far above them. */
+    /** The opacities of the lost pieces; the panel of a lost try is far above them. */
     private static List<Float> pieces(RecordingCanvas canvas) {
         return canvas.lines().stream()
                 .filter(line -> line.y1() > PANEL_FOOT)
@@ -44,7 +44,7 @@ class HoldRingTest {
                 .toList();
     }
 
-    /** As long as the ball is on the platform. */
+    /** Plays while the ball is on the platform. */
     private static PlayedLevel untilItIsLost(Motion motion) {
         PlayedLevel played = new PlayedLevel(PlayedLevel.rollingOff(), "en", motion);
         while (pieces(played.canvas()).isEmpty()) {

@@ -19,7 +19,7 @@ import rigibo.frontend.scene.Skin;
 
 import java.util.List;
 
-/** A level is heard: knocks, clicks, hold and end. */
+/** The sounds of a level: impacts, clicks, hold and end. */
 class NoisesTest {
 
     private static final int SECOND = 60;

@@ -14,10 +14,10 @@ import rigibo.frontend.scene.Canvas.Mood;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Settings.Motion;
 
-/** What is for the eye follows the game, whoever plays it. */
+/** Animations follow the game, whatever the origin of the clicks. */
 class SpectacleTest {
 
-    /** The fall and the hold of 3 s are over by then, in turns. */
+    /** Turns in which the fall and the hold of 3 s are over. */
     private static final int LONG_ENOUGH = 8 * 60;
 
     private final Session session = new Session(LevelTexts.sound(), Accuracy.GAME);

@@ -14,8 +14,8 @@ import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.Scenery;
 
 /**
- * Whatever is open, the play of a level is between its foot and the keys, and inside the window,
- * before what its gravity tells.
+ * With any drawer open, the play of a level lies between its upper edge and the keys, within the
+ * window, in front of the scenery of its gravity.
  */
 class ViewTest {
 
@@ -40,7 +40,9 @@ class ViewTest {
         assertThat(camera.screenX(width / 2)).isCloseTo(Scene.WIDTH / 2.0, within(1e-9));
     }
 
-    /** What is between the fingers stays there, and no more is seen than before. */
+    /**
+     * The point between the fingers stays in place, and the picture never shows more than before.
+     */
     @ParameterizedTest
     @CsvSource({"2, 0, 0", "3, 30, -20", "1.3, 5, 5"})
     void twoFingersEnlargeWhatIsBetweenThem(double factor, double dx, double dy) {

@@ -10,7 +10,7 @@ import rigibo.web.aside.Aside;
 import java.util.List;
 import java.util.Optional;
 
-/** A level being made beside the page, which goes on meanwhile. */
+/** Makes a level on a thread beside the page, which goes on meanwhile. */
 public final class Making {
 
     /** Name of the errand; its words are the seeds. */
@@ -28,8 +28,8 @@ public final class Making {
     /**
      * A level that was made.
      *
-     * @param seed that it is the level of
-     * @param level as the seed decides it
+     * @param seed whose level it is
+     * @param level decided by the seed
      */
     public record Made(long seed, Level level) {}
 
@@ -42,7 +42,7 @@ public final class Making {
         return new Making(seeds);
     }
 
-    /** Makes the level, and tells the page of it; called by the thread beside it. */
+    /** Makes the level and reports it to the page; called by the thread beside it. */
     public static void make(List<String> seeds) {
         Optional<Generated> found =
                 new Generator(Making::tell).first(seeds.stream().map(Long::valueOf).toList());
@@ -88,7 +88,7 @@ public final class Making {
         return new Made(seed, level.madeFrom(new Origin(seed, Generator.VERSION)));
     }
 
-    /** The level; empty as long as it is being made. */
+    /** The level; empty while it is being made. */
     public Optional<Made> made() {
         return made;
     }

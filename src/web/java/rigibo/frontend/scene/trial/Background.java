@@ -6,10 +6,10 @@ import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.function.BooleanSupplier;
 
-/** Does trials between two pictures, a piece at a time, for the page has no other thread. */
+/** Runs trials between two pictures, piece by piece, since the page has no other thread. */
 final class Background {
 
-    /** Rest after a piece, in its own lengths: pictures come first. */
+    /** Pause after a piece, in multiples of its duration: pictures have precedence. */
     private static final double REST = 8;
 
     private static final double MILLISECOND = 1e6;
@@ -17,7 +17,7 @@ final class Background {
     private final Queue<BooleanSupplier> trials = new ArrayDeque<>();
     private boolean isClosed;
 
-    /** Does all pieces of a trial, after those of the trials before. */
+    /** Runs all pieces of a trial, after those of earlier trials. */
     void take(BooleanSupplier pieces) {
         trials.add(pieces);
         if (trials.size() == 1) {

@@ -1,6 +1,6 @@
 package tools.jackson.core.io;
 
-/** Writes texts as JSON has them within quotes. */
+/** Writes texts as in JSON, within quotes. */
 public final class JsonStringEncoder {
 
     private static final JsonStringEncoder INSTANCE = new JsonStringEncoder();

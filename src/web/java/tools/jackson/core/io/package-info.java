@@ -1,2 +1,2 @@
-/** What writes texts as JSON has them. */
+/** Writes texts as in JSON. */
 package tools.jackson.core.io;

@@ -2,7 +2,7 @@ package tools.jackson.core.json;
 
 import tools.jackson.core.TSFBuilder;
 
-/** Makes what makes readers. */
+/** Builds factories of readers. */
 public final class JsonFactoryBuilder extends TSFBuilder<JsonFactory, JsonFactoryBuilder> {
 
     public JsonFactory build() {

@@ -1,2 +1,2 @@
-/** What makes a reader. */
+/** Makes readers. */
 package tools.jackson.core.json;

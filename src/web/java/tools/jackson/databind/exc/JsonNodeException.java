@@ -1,6 +1,6 @@
 package tools.jackson.databind.exc;
 
-/** A value is not of the kind that was asked for. */
+/** Thrown when a value is not of the kind asked for. */
 public final class JsonNodeException extends RuntimeException {
 
     public JsonNodeException(String message) {

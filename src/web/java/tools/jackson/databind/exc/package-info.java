@@ -1,2 +1,2 @@
-/** What a value of another kind answers. */
+/** Exceptions about values of another kind. */
 package tools.jackson.databind.exc;

@@ -1,2 +1,2 @@
-/** What writes a tree. */
+/** Makes and writes trees. */
 package tools.jackson.databind.json;

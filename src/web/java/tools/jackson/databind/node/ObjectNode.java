@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 
-/** Values by names, in the order in which they were put. */
+/** Values by names, in the order of insertion. */
 public final class ObjectNode extends JsonNode {
 
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
@@ -102,7 +102,7 @@ public final class ObjectNode extends JsonNode {
         return put;
     }
 
-    /** The list of a name, which is made where there is none. */
+    /** The list of a name; makes one if there is none. */
     public ArrayNode withArray(String name) {
         return has(name) ? (ArrayNode) get(name) : putArray(name);
     }

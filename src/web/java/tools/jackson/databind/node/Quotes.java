@@ -2,7 +2,7 @@ package tools.jackson.databind.node;
 
 import tools.jackson.core.io.JsonStringEncoder;
 
-/** Texts as JSON writes them. */
+/** Writes texts as in JSON. */
 final class Quotes {
 
     private Quotes() {}

@@ -2,7 +2,7 @@ package tools.jackson.databind.node;
 
 import tools.jackson.databind.JsonNode;
 
-/** A value without others in it: equal by its text. */
+/** A value without other values in it; equal to others by its text. */
 public abstract class ValueNode extends JsonNode {
 
     private final JsonNodeType kind;
@@ -18,7 +18,7 @@ public abstract class ValueNode extends JsonNode {
         return kind;
     }
 
-    /** As JSON writes it. */
+    /** The value as JSON. */
     @Override
     public String toString() {
         return text;

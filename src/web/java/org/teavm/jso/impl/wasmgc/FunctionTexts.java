@@ -19,14 +19,14 @@ import java.util.stream.Collectors;
  */
 public final class FunctionTexts {
 
-    /** What calls of the page's functions go through, by the name that texts have for it. */
+    /** Name in those texts of the function through which calls of the page's functions go. */
     private static final String CALLER = "wrapCallFromJavaToJs";
 
     private static final String THIS = "__this__";
 
     private FunctionTexts() {}
 
-    /** All functions as an object of JavaScript: by their parameters and text. */
+    /** All functions as a JavaScript object, with their parameters and texts as keys. */
     public static String table(JSBodyRepository repository) {
         return repository.emitters.values().stream()
                 .map(each -> entry(each, repository.inlineMethods.contains(each.method())))

@@ -1,2 +1,2 @@
-/** What prints the program's texts as the compiler does, with a class that is this package's. */
+/** Prints the program's texts like the compiler, by a class that is private to this package. */
 package org.teavm.jso.impl.wasmgc;
