@@ -63,7 +63,7 @@ enum HelpSheet {
             drawKeys(canvas, words);
         } else {
             drawTitle(canvas, words.of("help.plan", title));
-            drawPlan(canvas, plan);
+            drawPlan(canvas, new PlanWords(words).of(plan));
         }
     }
 

@@ -5,7 +5,6 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
-import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
@@ -61,14 +60,9 @@ record LevelCard(LevelList levels, int level, Words words) {
         canvas.panel(tile.x(), foot, tile.width(), strip, 10, plate);
         Color edge = isChosen ? Color.BRASS : Color.EDGE;
         canvas.frame(tile.x(), tile.y(), tile.width(), tile.height(), 10, edge);
-        String title =
-                Lines.shortened(
-                        canvas,
-                        entry.title().apply(words),
-                        16,
-                        Canvas.Font.WORDS,
-                        tile.width() - 16);
-        Print.centred(canvas, title, tile.middleX(), foot + strip / 2, 16, Color.TEXT);
+        String title = entry.title().apply(words);
+        double middle = foot + strip / 2;
+        Print.fitted(canvas, title, tile.middleX(), middle, 16, tile.width() - 16, Color.TEXT);
         drawNumber(canvas, tile);
         if (isOpen && levels.isSolved(level)) {
             drawPrize(canvas, tile);

@@ -9,6 +9,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
@@ -38,9 +39,7 @@ class OwnLevelsTest {
 
     private Scene opened(String button) {
         Scene levels = Catalog.levels(director);
-        double[] at = RecordingCanvas.of(levels).middleOf(button);
-        levels.pointerMoved(at[0], at[1]);
-        levels.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        press(levels, button);
         return director.shown.get(director.shown.size() - 1);
     }
 
@@ -72,13 +71,37 @@ class OwnLevelsTest {
         assertThat(Legibility.faults(Catalog.levels(told))).isEmpty();
         Scene levels = Catalog.levels(told);
         String button = language.equals("de") ? "Deine Level" : "Your levels";
-        double[] at = RecordingCanvas.of(levels).middleOf(button);
-        levels.pointerPressed(PointerButton.LEFT, at[0], at[1]);
+        press(levels, button);
         Scene own = told.shown.get(0);
         assertThat(Legibility.faults(own)).isEmpty();
         assertThat(RecordingCanvas.of(own).texts()).contains("1 / 2");
-        own.scrolled(-1, 0, 0);
+        press(own, "›");
         assertThat(RecordingCanvas.of(own).texts()).contains("2 / 2");
         assertThat(Legibility.faults(own)).isEmpty();
+        own.scrolled(1, 0, 0);
+        assertThat(RecordingCanvas.of(own).texts()).contains("1 / 2");
+    }
+
+    /** The page keeps what its editor saves, too. */
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void theyFitPhones(String language) throws IOException {
+        RecordingDirector told = new RecordingDirector(language);
+        keep(14);
+        Files.writeString(folder.resolve("broken.json"), "{}");
+        told.levels = Optional.of(folder);
+        Scene levels = Catalog.levels(told);
+        press(levels, language.equals("de") ? "Deine Level" : "Your levels");
+        Scene own = told.shown.get(0);
+        assertThat(Legibility.faultsInHand(own)).isEmpty();
+        for (Layout hand : Legibility.HANDS) {
+            assertThat(RecordingCanvas.of(own, hand).texts()).contains("‹", "›");
+        }
+    }
+
+    private static void press(Scene scene, String words) {
+        double[] at = RecordingCanvas.of(scene).middleOf(words);
+        scene.pointerMoved(at[0], at[1]);
+        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
     }
 }

@@ -1,6 +1,7 @@
 package rigibo.frontend.puzzle.check;
 
 import rigibo.frontend.puzzle.level.Level;
+import rigibo.frontend.puzzle.rules.Playback;
 import rigibo.frontend.puzzle.rules.Replay;
 
 import java.util.List;
@@ -46,12 +47,29 @@ final class Games {
      *     wanted
      */
     Verdict play(Level level, Replay replay) {
+        return play(new Trial(level, replay));
+    }
+
+    /** Plays a game to its end, as {@link #play(Level, Replay)} does. */
+    Verdict play(Trial trial) {
+        requireAwaited();
+        int before = trial.game().steps();
+        Verdict verdict = trial.play();
+        count(verdict.steps() - before);
+        return verdict;
+    }
+
+    /** Plays a part that games have in common, up to a step. */
+    void playTo(Playback common, int step) {
+        requireAwaited();
+        steps.add(Math.max(0, step - common.game().steps()));
+        common.stepTo(step);
+    }
+
+    private static void requireAwaited() {
         if (Thread.currentThread().isInterrupted()) {
             throw new CancellationException("the check was interrupted");
         }
-        Verdict verdict = Trial.play(level, replay);
-        count(verdict.steps());
-        return verdict;
     }
 
     /** Counts a game that was played elsewhere. */

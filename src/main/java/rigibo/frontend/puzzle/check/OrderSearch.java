@@ -5,7 +5,6 @@ import rigibo.frontend.puzzle.level.Clickable;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.rules.Act;
-import rigibo.frontend.puzzle.rules.Replay;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -13,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.concurrent.atomic.LongAdder;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
@@ -35,14 +35,14 @@ final class OrderSearch {
     private static final int SEED = 1;
 
     private final Level level;
-    private final Accuracy accuracy;
     private final Games games;
+    private final Branches branches;
     private final int cooldown;
 
     OrderSearch(Level level, Accuracy accuracy, Games games) {
         this.level = level;
-        this.accuracy = accuracy;
         this.games = games;
+        branches = new Branches(level, accuracy, games);
         cooldown = Steps.of(level.limits().cooldown());
     }
 
@@ -62,27 +62,49 @@ final class OrderSearch {
             List<List<Act>> lost,
             Optional<List<Act>> shorter) {}
 
-    /** Some clicks and how they ended. */
-    private record Course(List<Act> clicks, Verdict verdict) {}
+    /** A line and how it ended. */
+    private record Course(Line line, Verdict verdict) {
+
+        List<Act> clicks() {
+            return line.clicks();
+        }
+
+        boolean isWon() {
+            return verdict.isWon();
+        }
+    }
 
     Found search() {
-        List<Course> round = List.of(play(List.of()));
+        return search(1);
+    }
+
+    /**
+     * Searches until the level is known to be no puzzle: fewer clicks than par win, or a larger
+     * share of all games of par clicks.
+     *
+     * @param mostWins that share, 0 to 1; with 1 all games are played
+     */
+    Found search(double mostWins) {
+        List<Course> round = List.of(course(branches.line(List.of())));
         boolean isWhole = true;
         int fewer = 0;
         for (int clicks = 1; ; clicks++) {
-            List<List<Act>> all = nexts(round);
+            List<Branches.Next> all = nexts(round);
             boolean wasWhole = isWhole;
             isWhole &= all.size() <= MOST_GAMES;
-            round = played(sample(all));
-            List<Course> won = round.stream().filter(course -> course.verdict.isWon()).toList();
+            List<Branches.Next> some = sample(all);
+            boolean isLast = clicks == level.limits().par();
+            double most = isLast || mostWins == 1 ? mostWins : 0;
+            round = played(some, (int) (most * some.size()));
+            List<Course> won = round.stream().filter(Course::isWon).toList();
             Share wins = new Share(won.size(), round.size(), isWhole);
-            if (clicks == level.limits().par()) {
+            if (isLast) {
                 Share none = new Share(0, fewer, wasWhole);
                 return new Found(wins, none, targets(won), lost(round), Optional.empty());
             }
             fewer += round.size();
             if (!won.isEmpty()) {
-                List<Act> first = won.get(0).clicks;
+                List<Act> first = won.get(0).clicks();
                 return new Found(wins, wins, targets(won), List.of(), Optional.of(first));
             }
         }
@@ -95,10 +117,11 @@ final class OrderSearch {
      */
     boolean winsAfter(List<Act> made, int until) {
         int ready = made.get(made.size() - 1).step() + cooldown;
-        List<List<Act>> all = nexts(made, IntStream.of(Math.max(ready, until)));
+        List<Branches.Next> all = nexts(branches.line(made), IntStream.of(Math.max(ready, until)));
         for (int more = 0; more < level.limits().par(); more++) {
-            List<Course> round = played(sample(all));
-            if (round.stream().anyMatch(course -> course.verdict.isWon())) {
+            List<Branches.Next> some = sample(all);
+            List<Course> round = played(some, some.size());
+            if (round.stream().anyMatch(Course::isWon)) {
                 return true;
             }
             all = nexts(round);
@@ -107,68 +130,61 @@ final class OrderSearch {
     }
 
     private static List<List<Act>> lost(List<Course> round) {
-        return round.stream()
-                .filter(course -> !course.verdict.isWon())
-                .map(Course::clicks)
-                .toList();
+        return round.stream().filter(course -> !course.isWon()).map(Course::clicks).toList();
     }
 
     private static Set<String> targets(List<Course> courses) {
         return courses.stream()
-                .flatMap(course -> course.clicks.stream())
+                .flatMap(course -> course.clicks().stream())
                 .map(Act::target)
                 .collect(Collectors.toSet());
     }
 
-    private Course play(List<Act> clicks) {
-        return new Course(clicks, games.play(level, new Replay(level.hash(), clicks, accuracy)));
+    private Course course(Line line) {
+        return new Course(line, branches.play(line));
     }
 
     /**
-     * Plays games. One whose click comes to a body that has meanwhile fallen out of the world is
-     * dropped.
+     * Plays games, none after more wins than {@code mostWins}. One whose click comes to a body that
+     * has meanwhile fallen out of the world is dropped.
      */
-    private List<Course> played(List<List<Act>> some) {
-        return games.each(some)
-                .map(this::play)
+    private List<Course> played(List<Branches.Next> some, int mostWins) {
+        LongAdder wins = new LongAdder();
+        return games.each(branches.lines(some))
+                .filter(line -> wins.sum() <= mostWins)
+                .map(this::course)
+                .peek(course -> wins.add(course.isWon() ? 1 : 0))
                 .filter(course -> course.verdict.end() != Verdict.End.REFUSED)
                 .toList();
     }
 
-    private static List<List<Act>> sample(List<List<Act>> all) {
+    private static List<Branches.Next> sample(List<Branches.Next> all) {
         Collections.shuffle(all, new Random(SEED));
         return all.subList(0, Math.min(all.size(), MOST_GAMES));
     }
 
-    /** The clicks of each course, and one more. */
-    private List<List<Act>> nexts(List<Course> round) {
-        List<List<Act>> all = new ArrayList<>();
-        round.forEach(course -> all.addAll(nexts(course.clicks, moments(course))));
+    /** The line of each course, and one more click. */
+    private List<Branches.Next> nexts(List<Course> round) {
+        List<Branches.Next> all = new ArrayList<>();
+        round.forEach(course -> all.addAll(nexts(course.line, moments(course))));
         return all;
     }
 
-    private List<List<Act>> nexts(List<Act> made, IntStream moments) {
-        Set<String> clicked = made.stream().map(Act::target).collect(Collectors.toSet());
+    private List<Branches.Next> nexts(Line made, IntStream moments) {
+        Set<String> clicked = made.clicks().stream().map(Act::target).collect(Collectors.toSet());
         List<String> left =
                 level.clickables().stream()
                         .filter(one -> one.verb().repeats() || !clicked.contains(one.id()))
                         .map(Clickable::id)
                         .toList();
         return moments.boxed()
-                .flatMap(at -> left.stream().map(id -> with(made, new Act(at, id))))
+                .flatMap(at -> left.stream().map(id -> new Branches.Next(made, new Act(at, id))))
                 .collect(Collectors.toCollection(ArrayList::new));
-    }
-
-    private static List<Act> with(List<Act> clicks, Act next) {
-        List<Act> longer = new ArrayList<>(clicks);
-        longer.add(next);
-        return longer;
     }
 
     /** Steps at which one more click may lead to another game. */
     private IntStream moments(Course course) {
-        int clicks = course.clicks.size();
-        int ready = clicks == 0 ? 0 : course.clicks.get(clicks - 1).step() + cooldown;
+        int ready = course.clicks().isEmpty() ? 0 : course.line.last() + cooldown;
         int last =
                 switch (course.verdict.end()) {
                     case WON, REFUSED -> ready - 1;

@@ -61,12 +61,9 @@ public final class Sieve {
         if (par < LEAST_PAR || par > MOST_PAR || !isSound(level, solution)) {
             return Optional.empty();
         }
-        OrderSearch.Found found = new OrderSearch(level, Accuracy.GAME, games).search();
-        if (found.shorter().isPresent()) {
-            return Optional.empty();
-        }
-        Figures figures = figures(level, solution, found);
-        return figures.share() <= MOST_WINS ? Optional.of(figures) : Optional.empty();
+        OrderSearch.Found found = new OrderSearch(level, Accuracy.GAME, games).search(MOST_WINS);
+        boolean isPuzzle = found.shorter().isEmpty() && found.wins().value() <= MOST_WINS;
+        return isPuzzle ? Optional.of(figures(level, solution, found)) : Optional.empty();
     }
 
     private Figures figures(Level level, Solution solution, OrderSearch.Found found) {

@@ -21,16 +21,20 @@ final class Trial {
 
     /** A game at its start. */
     Trial(Level level, Replay replay) {
-        playback = new Playback(level, replay);
+        this(new Playback(level, replay), replay);
+    }
+
+    /** A game at its start or in its middle. */
+    Trial(Playback playback, Replay replay) {
+        this.playback = playback;
         deadline = PATIENCE + lastClick(replay);
     }
 
-    static Verdict play(Level level, Replay replay) {
-        Trial trial = new Trial(level, replay);
-        while (!trial.isOver()) {
-            trial.step();
+    Verdict play() {
+        while (!isOver()) {
+            step();
         }
-        return trial.verdict();
+        return verdict();
     }
 
     void step() {

@@ -10,6 +10,12 @@ final class Cooldown {
         length = steps;
     }
 
+    Cooldown copy() {
+        Cooldown copy = new Cooldown(length);
+        copy.readyAt = readyAt;
+        return copy;
+    }
+
     /** Exactly at its end the next click is allowed. */
     boolean isReady(int now) {
         return now >= readyAt;

@@ -19,6 +19,14 @@ final class HoldClock {
         grace = graceSteps;
     }
 
+    HoldClock copy() {
+        HoldClock copy = new HoldClock(length, grace);
+        copy.began = began;
+        copy.lastTouch = lastTouch;
+        copy.isTouching = isTouching;
+        return copy;
+    }
+
     /** Tells whether the two touched in the step that ended now. */
     void observe(int now, boolean touches) {
         isTouching = touches;

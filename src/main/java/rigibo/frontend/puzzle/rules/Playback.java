@@ -34,6 +34,17 @@ public final class Playback {
         game = new PuzzleGame(level, replay.accuracy());
     }
 
+    /**
+     * A playback from the middle of a game, whose clicks so far are the replay's first.
+     *
+     * @param begun the game, which goes on in this playback
+     */
+    public Playback(PuzzleGame begun, Replay replay) {
+        this.replay = replay;
+        game = begun;
+        next = begun.clicks();
+    }
+
     /** The game as it stands. */
     public PuzzleGame game() {
         return game;

@@ -5,11 +5,9 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.level.Level;
-import rigibo.frontend.puzzle.level.Limits;
 import rigibo.frontend.puzzle.level.Steps;
 import rigibo.frontend.puzzle.level.Verb;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -26,10 +24,10 @@ public final class PuzzleGame {
     private final FireDoors doors;
     private final Cooldown cooldown;
     private final HoldClock hold;
-    private final RestWatch rest = new RestWatch();
+    private final RestWatch rest;
     private final Optional<StarWatch> star;
-    private final Trace trace = new Trace();
-    private final List<Act> acts = new ArrayList<>();
+    private final Trace trace;
+    private final List<Act> acts;
     private Outcome outcome = Outcome.RUNNING;
     private Optional<Loss> loss = Optional.empty();
     private int steps;
@@ -39,9 +37,14 @@ public final class PuzzleGame {
 
     /** An attempt at its start. */
     public PuzzleGame(Level level, Accuracy accuracy) {
+        this(level, Board.of(level, accuracy), Memory.atTheStart(level.limits()));
+        trace.observe(steps, outcome, board.pool());
+    }
+
+    /** An attempt that goes on from the middle of another one. */
+    PuzzleGame(Level level, Board board, Memory memory) {
         this.level = level;
-        Limits limits = level.limits();
-        board = Board.of(level, accuracy);
+        this.board = board;
         rides =
                 board.pieces().stream()
                         .filter(piece -> piece.definition().path().isPresent())
@@ -49,10 +52,18 @@ public final class PuzzleGame {
                         .toList();
         workings = new Workings(board.pool(), board.pieces(), board.sources());
         doors = new FireDoors(board);
-        cooldown = new Cooldown(Steps.of(limits.cooldown()));
-        hold = new HoldClock(Steps.of(limits.hold()), Steps.of(limits.contactGrace()));
         star = level.star().map(one -> new StarWatch(one.feat(), board));
-        trace.observe(steps, outcome, board.pool());
+        cooldown = memory.cooldown();
+        hold = memory.hold();
+        rest = memory.rest();
+        trace = memory.trace();
+        acts = memory.acts();
+        steps = memory.steps();
+    }
+
+    /** What the rules remember of a level that {@link Bookmarks#fit}; it shares nothing. */
+    Memory memory() {
+        return new Memory(steps, cooldown, hold, rest, trace, acts).copy();
     }
 
     /** Advances by 1/60 s. */

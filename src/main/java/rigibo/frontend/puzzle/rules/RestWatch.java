@@ -19,6 +19,12 @@ final class RestWatch {
 
     private int stillSteps;
 
+    RestWatch copy() {
+        RestWatch copy = new RestWatch();
+        copy.stillSteps = stillSteps;
+        return copy;
+    }
+
     /** Call after each step. */
     void observe(Board board) {
         boolean isStill = true;

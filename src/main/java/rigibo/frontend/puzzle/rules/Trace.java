@@ -17,6 +17,12 @@ final class Trace {
 
     private final List<Checkpoint> checkpoints = new ArrayList<>();
 
+    Trace copy() {
+        Trace copy = new Trace();
+        copy.checkpoints.addAll(checkpoints);
+        return copy;
+    }
+
     /** Call at the start and after each step up to the end. */
     void observe(int steps, Outcome outcome, Pool pool) {
         if (steps % EVERY == 0 || outcome != Outcome.RUNNING) {

@@ -23,9 +23,12 @@ final class ShownPointer {
     /** Height of the arrow, whose tip is the point of the click, px. */
     private static final double ARROW = 32;
 
+    /** The second row that keys take with large letters, px: the arrow begins above it. */
+    private static final double SECOND_ROW = 32;
+
     private final Camera camera;
     private double fromX = Scene.WIDTH / 2.0;
-    private double fromY = View.KEYS_TOP - ARROW;
+    private double fromY = View.KEYS_TOP - SECOND_ROW - ARROW;
     private int rippleTurns;
 
     ShownPointer(Camera camera) {

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.document.Problem;
 import rigibo.frontend.puzzle.check.Figures;
 import rigibo.frontend.puzzle.check.LevelProof;
@@ -15,6 +16,10 @@ import rigibo.frontend.puzzle.level.Clickable;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.Origin;
 import rigibo.frontend.puzzle.level.Verb;
+import rigibo.frontend.puzzle.rules.Bookmarks;
+import rigibo.frontend.puzzle.rules.Outcome;
+import rigibo.frontend.puzzle.rules.Playback;
+import rigibo.frontend.puzzle.rules.Replay;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -74,6 +79,29 @@ class GeneratorTest {
             List<Problem> problems =
                     LevelProof.problems(each.level().id(), each.text(), games -> {});
             assertThat(problems).as(each.text()).isEmpty();
+        }
+    }
+
+    /** The search of orders rests on it: what games have in common is played once. */
+    @Test
+    void gamesGoOnFromTheirMiddleToTheSameBits() {
+        for (Generated each : levels) {
+            Level level = each.level();
+            Replay solution = Replay.of(level, level.solutions().get(0), Accuracy.GAME);
+            Playback whole = new Playback(level, solution);
+            List<Bookmarks.Bookmark> kept = new ArrayList<>();
+            while (whole.game().outcome() == Outcome.RUNNING) {
+                if (whole.game().steps() % 40 == 0) {
+                    kept.add(new Bookmarks(level).at(whole.game()));
+                }
+                whole.step();
+            }
+            for (Bookmarks.Bookmark begin : kept) {
+                Playback part = new Playback(begin.game(), solution);
+                part.stepTo(whole.game().steps());
+                assertThat(part.game().outcome()).isEqualTo(Outcome.WON);
+                assertThat(part.game().checkpoints()).isEqualTo(whole.game().checkpoints());
+            }
         }
     }
 
