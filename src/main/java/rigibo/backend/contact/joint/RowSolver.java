@@ -105,7 +105,7 @@ final class RowSolver {
      * Whether that was needed when the island was solved last, as by a chain that runs over a
      * wheel; then it is likely to be needed again.
      */
-    private boolean areLoadsShared;
+    private boolean beginsTogether;
 
     RowSolver(Motions motions, NeutralRows rows, RowElimination elimination, Accuracy accuracy) {
         boolean isExact = accuracy.substeps() >= Accuracy.EXACT.substeps();
@@ -121,7 +121,7 @@ final class RowSolver {
 
     /** Begins an island, of which nothing was solved yet in the step. */
     void beginIsland() {
-        areLoadsShared = false;
+        beginsTogether = false;
     }
 
     /**
@@ -367,7 +367,7 @@ final class RowSolver {
 
     private boolean solveRounds(double most) {
         settled = Math.max(most, ROUND_OFF * strongest());
-        isTogether = areLoadsShared;
+        isTogether = beginsTogether;
         if (isTogether) {
             apart.keep();
         }
@@ -382,14 +382,14 @@ final class RowSolver {
                 boolean isLast = round == MOST_ROUNDS - 1 || elimination.isSpent();
                 double share = isLast ? late : 0;
                 if (lag() <= Math.max(LAG * settled, share * strongest())) {
-                    areLoadsShared = isTogether;
+                    beginsTogether = isTogether;
                     return true;
                 }
                 follow();
             } else if (isTogether) {
                 // Rows that jam have no answer, or several: back to where they were.
                 isTogether = false;
-                areLoadsShared = false;
+                beginsTogether = false;
                 goApart();
             } else {
                 return false;
