@@ -49,31 +49,15 @@ final class RowSolver {
      */
     private static final double LATE = 10;
 
-    /** Share of a bound from which on what was carried counts as at it. */
-    private static final double AT_BOUND = 1 - 1e-9;
-
-    /** Share of what friction may carry from which on a contact counts as sliding. */
-    private static final double SLID = 0.999;
-
-    /** Rows of a joint along one coordinate, two limits and a motor, besides one of them. */
-    private static final int MOST_RIVALS = 2;
-
     private final Motions motions;
     private final NeutralRows rows;
     private final RowElimination elimination;
+    private final ActiveRows active;
     private final SlidingRows sliding;
     private final RowDescent descent;
 
     /** How rows were before what slides was solved with its loads. */
     private final RowMemory apart;
-
-    /** By row: at which bound it is while it is out of the set, −1 or 1. */
-    private int[] side = new int[64];
-
-    /** The rows with bounds, all but equations, in their order. */
-    private int[] bounded = new int[64];
-
-    private int boundedCount;
 
     /** What rows with bounds give way by for what they carry else than in the kick before. */
     private final double nearness;
@@ -86,9 +70,6 @@ final class RowSolver {
 
     private double[] give = new double[64];
     private double[] carried = new double[64];
-
-    /** Whether rows are kept near what they carried. */
-    private boolean areNear;
 
     /** Rows to be exchanged. */
     private int wrong;
@@ -114,6 +95,7 @@ final class RowSolver {
         this.motions = motions;
         this.rows = rows;
         this.elimination = elimination;
+        active = new ActiveRows(rows, elimination);
         sliding = new SlidingRows(motions, rows, elimination);
         descent = new RowDescent(rows, elimination);
         apart = new RowMemory(motions, rows);
@@ -129,10 +111,9 @@ final class RowSolver {
      * is beyond its bounds they get the difference.
      */
     void begin() {
-        start();
-        areNear = false;
-        for (int i = 0; i < boundedCount; i++) {
-            place(bounded[i]);
+        active.begin(false);
+        for (int i = 0; i < active.boundedCount; i++) {
+            active.place(active.bounded[i]);
         }
     }
 
@@ -174,22 +155,21 @@ final class RowSolver {
     }
 
     private void begin(PackedJoints packed, double share, boolean isNear) {
-        start();
-        areNear = isNear;
-        for (int i = 0; i < boundedCount; i++) {
-            int row = bounded[i];
+        active.begin(isNear);
+        for (int i = 0; i < active.boundedCount; i++) {
+            int row = active.bounded[i];
             boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
             double before =
                     isOfJoint
                             ? share * packed.impulseOf(rows.joint[row], rows.part[row])
                             : rows.impulse[row];
-            if (areNear) {
+            if (isNear) {
                 keepNear(row, before);
             }
             if (isOfJoint) {
-                placeAsBefore(row, before);
+                active.placeAsBefore(row, before);
             } else {
-                placeContact(row);
+                active.placeContact(row);
             }
         }
     }
@@ -229,126 +209,9 @@ final class RowSolver {
         return hold + (isBraked ? rub : 0) > free;
     }
 
-    private void start() {
-        elimination.begin();
-        if (side.length < rows.count) {
-            side = new int[rows.bodies.length];
-            bounded = new int[rows.bodies.length];
-        }
-        boundedCount = 0;
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.isEquation(row)) {
-                elimination.put(row, true);
-            } else {
-                bounded[boundedCount++] = row;
-            }
-        }
-        boundAll();
-        clampAll();
-    }
-
-    private void boundAll() {
-        for (int i = 0; i < boundedCount; i++) {
-            rows.bound(bounded[i]);
-        }
-    }
-
-    private void placeAsBefore(int row, double carried) {
-        boolean isWithin =
-                carried > AT_BOUND * rows.lower[row] && carried < AT_BOUND * rows.upper[row];
-        if (carried == 0) {
-            place(row);
-        } else if (isWithin) {
-            enter(row);
-        } else {
-            leave(row, carried > 0 ? 1 : -1);
-        }
-    }
-
-    /**
-     * Takes the row of a contact into the set if it carried a load in the kick before, and leaves
-     * friction at its bound that slid. What sticks at two wheels at once, or where two bodies lie
-     * on a third, would else be found out by exchanging rows one after the other.
-     */
-    private void placeContact(int row) {
-        double carried = rows.impulse[row];
-        boolean isFriction = rows.load[row] != NeutralRows.NONE;
-        if (isFriction && carried != 0 && Math.abs(carried) >= SLID * rows.upper[row]) {
-            leave(row, carried > 0 ? 1 : -1);
-        } else if (!isFriction && rows.isPoint(row) && carried > 0) {
-            enter(row);
-        } else {
-            place(row);
-        }
-    }
-
-    /** Takes a row with bounds into the set, if alone it would be within them. */
-    private void place(int row) {
-        double wish = rows.wish(row);
-        if (wish > rows.lower[row] && wish < rows.upper[row]) {
-            enter(row);
-        } else {
-            leave(row, wish >= rows.upper[row] ? 1 : -1);
-        }
-    }
-
-    /** Takes a row with bounds out of the set, to one of them. */
-    private void leave(int row, int bound) {
-        side[row] = bound;
-        elimination.put(row, false);
-        toBound(row);
-    }
-
-    /** Takes a row with bounds into the set; a rival of it goes to its bound. */
-    private void enter(int row) {
-        int rival = takeRivalOut(row);
-        if (rival != NeutralRows.NONE) {
-            toBound(rival);
-        }
-        elimination.put(row, true);
-    }
-
-    /** Takes a row with bounds into the set; whatever a rival of it carries it goes on carrying. */
+    /** Takes a row with bounds into the set before {@link #solveOn}. */
     void letIn(int row) {
-        takeRivalOut(row);
-        elimination.put(row, true);
-    }
-
-    /**
-     * Takes the row of a joint out of the set that is along the same coordinate as another of its
-     * rows; which one that is. A limit and a brake that both hold ask for one speed each: their
-     * difference, however small, drove them against each other by 10¹² N·s. Rows that are kept near
-     * what they carried share what there is to carry.
-     */
-    private int takeRivalOut(int row) {
-        int joint = areNear ? NeutralRows.NONE : rows.joint[row];
-        for (int i = row - MOST_RIVALS; joint != NeutralRows.NONE && i <= row + MOST_RIVALS; i++) {
-            boolean isOfJoint = i >= 0 && i < rows.count && i != row && rows.joint[i] == joint;
-            if (isOfJoint && elimination.isIn(i) && !rows.isEquation(i)) {
-                double sign = rows.parallel(row, i);
-                if (sign != 0) {
-                    boolean isBack = sign * rows.target[row] > rows.target[i];
-                    side[i] = isBack || rows.upper[i] == Double.POSITIVE_INFINITY ? -1 : 1;
-                    elimination.put(i, false);
-                    return i;
-                }
-            }
-        }
-        return NeutralRows.NONE;
-    }
-
-    private void clampAll() {
-        for (int i = 0; i < boundedCount; i++) {
-            int row = bounded[i];
-            double within = within(row, rows.impulse[row]);
-            if (within != rows.impulse[row]) {
-                rows.push(row, within - rows.impulse[row]);
-            }
-        }
-    }
-
-    private double within(int row, double impulse) {
-        return Math.max(rows.lower[row], Math.min(rows.upper[row], impulse));
+        active.letIn(row);
     }
 
     /** Solves but for so many m/s, and answers whether it could. */
@@ -378,7 +241,7 @@ final class RowSolver {
             }
             boolean isSolved = exchange();
             if (isSolved) {
-                boundAll();
+                active.boundAll();
                 boolean isLast = round == MOST_ROUNDS - 1 || elimination.isSpent();
                 double share = isLast ? late : 0;
                 if (lag() <= Math.max(LAG * settled, share * strongest())) {
@@ -401,12 +264,12 @@ final class RowSolver {
     /** Goes back to how rows were before what slides was solved with its loads. */
     private void goApart() {
         apart.recall();
-        for (int i = 0; i < boundedCount; i++) {
-            int row = bounded[i];
+        for (int i = 0; i < active.boundedCount; i++) {
+            int row = active.bounded[i];
             rows.bound(row);
-            double within = within(row, rows.impulse[row]);
+            double within = active.within(row, rows.impulse[row]);
             rows.push(row, within - rows.impulse[row]);
-            place(row);
+            active.place(row);
         }
     }
 
@@ -443,7 +306,7 @@ final class RowSolver {
             } else if (isTogether) {
                 return false;
             } else {
-                return descent.solve(bounded, boundedCount, side, settled);
+                return descent.solve(active.bounded, active.boundedCount, active.side, settled);
             }
         }
         return false;
@@ -464,7 +327,7 @@ final class RowSolver {
 
     /** Eliminates rows together with what slides under their loads, within bounds of now. */
     private void eliminateTogether() {
-        sliding.begin(side);
+        sliding.begin(active.side);
         for (int i = 0; i < REFINEMENTS && !(sliding.ask() <= settled && i > 0); i++) {
             sliding.push();
         }
@@ -474,8 +337,8 @@ final class RowSolver {
     /** Counts the rows that are in the set beyond their bounds, or out of it wrongly. */
     private void find() {
         wrong = 0;
-        for (int i = 0; i < boundedCount; i++) {
-            if (isWrong(bounded[i])) {
+        for (int i = 0; i < active.boundedCount; i++) {
+            if (isWrong(active.bounded[i])) {
                 wrong++;
             }
         }
@@ -489,62 +352,35 @@ final class RowSolver {
             return impulse < rows.lower[row] - slack || impulse > rows.upper[row] + slack;
         }
         return rows.upper[row] - rows.lower[row] > 2 * slack
-                && side[row] * rows.residual(row) > most;
+                && active.side[row] * rows.residual(row) > most;
     }
 
     private void exchangeAll() {
-        for (int i = 0; i < boundedCount; i++) {
-            if (isWrong(bounded[i])) {
-                exchange(bounded[i]);
+        for (int i = 0; i < active.boundedCount; i++) {
+            if (isWrong(active.bounded[i])) {
+                active.exchange(active.bounded[i]);
             }
         }
-    }
-
-    private void exchange(int row) {
-        if (elimination.isIn(row)) {
-            leave(row, rows.impulse[row] > rows.upper[row] ? 1 : -1);
-        } else {
-            enter(row);
-        }
-    }
-
-    private void toBound(int row) {
-        double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];
-        rows.push(row, bound - rows.impulse[row]);
     }
 
     /** By how much, in m/s, what follows loads is off its bound at most. */
     private double lag() {
         double most = 0;
-        for (int i = 0; i < boundedCount; i++) {
-            most = Math.max(most, lag(bounded[i]));
+        for (int i = 0; i < active.boundedCount; i++) {
+            most = Math.max(most, active.lag(active.bounded[i]));
         }
         return most;
     }
 
-    private double lag(int row) {
-        boolean follows = rows.load[row] != NeutralRows.NONE || rows.twin[row] != NeutralRows.NONE;
-        double change = follows ? due(row) - rows.impulse[row] : 0;
-        return rows.inMetres(row, change) * rows.response[row];
-    }
-
-    /**
-     * What a row is due to carry by its bounds: outside the set the bound, in it what is within.
-     */
-    private double due(int row) {
-        double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];
-        return elimination.isIn(row) ? within(row, rows.impulse[row]) : bound;
-    }
-
     /** Lets rows follow bounds that have moved with their loads. */
     private void follow() {
-        for (int i = 0; i < boundedCount; i++) {
-            int row = bounded[i];
-            if (lag(row) > LAG * settled) {
+        for (int i = 0; i < active.boundedCount; i++) {
+            int row = active.bounded[i];
+            if (active.lag(row) > LAG * settled) {
                 if (elimination.isIn(row)) {
-                    exchange(row);
+                    active.exchange(row);
                 } else {
-                    rows.push(row, due(row) - rows.impulse[row]);
+                    rows.push(row, active.due(row) - rows.impulse[row]);
                 }
             }
         }
