@@ -1,5 +1,6 @@
 package rigibo.backend.broadphase;
 
+import rigibo.backend.storage.Growth;
 import rigibo.backend.storage.Slots;
 
 import java.util.Arrays;
@@ -162,7 +163,7 @@ final class FixtureTree {
 
     private void makeRoom(int nodes) {
         if (nodes > parent.length) {
-            int capacity = Math.max(nodes, parent.length / 2 * 3);
+            int capacity = Math.max(nodes, Growth.after(parent.length));
             parent = Arrays.copyOf(parent, capacity);
             child = Arrays.copyOf(child, 2 * capacity);
             box = Arrays.copyOf(box, 4 * capacity);

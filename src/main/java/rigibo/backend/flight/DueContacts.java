@@ -1,5 +1,7 @@
 package rigibo.backend.flight;
 
+import rigibo.backend.storage.Growth;
+
 import java.util.Arrays;
 
 /**
@@ -17,10 +19,10 @@ final class DueContacts {
     /** By side: whose ways are handed on, an entry of {@link LedBodies}. */
     int[] by = new int[2 * 16];
 
-    /** By side: the contact's normal away from its body. */
-    double[] normalX = new double[2 * 16];
+    /** By contact: its normal from A to B. */
+    private double[] normalX = new double[16];
 
-    double[] normalY = new double[2 * 16];
+    private double[] normalY = new double[16];
 
     /** By contact: by how much it would be overlapping at the end of the step, m. */
     double[] closing = new double[16];
@@ -28,8 +30,8 @@ final class DueContacts {
     /** By contact: length from which on a way is handed on, m. */
     double[] least = new double[16];
 
-    /** By side: the way that was to be lengthened when it was last asked, -1 before. */
-    int[] asked = new int[2 * 16];
+    /** By side: whether the second way was to be lengthened when it was last asked. */
+    boolean[] wasSecond = new boolean[2 * 16];
 
     private final LedBodies bodies;
 
@@ -55,31 +57,30 @@ final class DueContacts {
      */
     int add(int a, int b, double nx, double ny) {
         if (2 * count == by.length) {
-            grow(2 * count);
+            grow(Growth.after(count));
         }
         int contact = count++;
-        addSide(2 * contact, a, nx, ny);
-        addSide(2 * contact + 1, b, -nx, -ny);
+        addSide(2 * contact, a);
+        addSide(2 * contact + 1, b);
+        normalX[contact] = nx;
+        normalY[contact] = ny;
         return contact;
     }
 
-    private void addSide(int side, int body, double nx, double ny) {
+    private void addSide(int side, int body) {
         by[side] = body;
-        normalX[side] = nx;
-        normalY[side] = ny;
         before[side] = bodies.lastSide[body];
         bodies.lastSide[body] = side;
-        asked[side] = -1;
         set(side);
     }
 
     private void grow(int capacity) {
-        normalX = Arrays.copyOf(normalX, 2 * capacity);
-        normalY = Arrays.copyOf(normalY, 2 * capacity);
+        normalX = Arrays.copyOf(normalX, capacity);
+        normalY = Arrays.copyOf(normalY, capacity);
         closing = Arrays.copyOf(closing, capacity);
         least = Arrays.copyOf(least, capacity);
         by = Arrays.copyOf(by, 2 * capacity);
-        asked = Arrays.copyOf(asked, 2 * capacity);
+        wasSecond = Arrays.copyOf(wasSecond, 2 * capacity);
         before = Arrays.copyOf(before, 2 * capacity);
         due = Arrays.copyOf(due, 2 * capacity / SIDES_PER_WORD + 1);
     }
@@ -105,10 +106,26 @@ final class DueContacts {
             set(side);
             int other = side ^ 1;
             if (isFirstWay
-                    && asked[other] != bodies.wayAlong(body, normalX[other], normalY[other])) {
+                    && wasSecond[other]
+                            != bodies.isSecondAlong(body, normalX(other), normalY(other))) {
                 set(other);
             }
         }
+    }
+
+    /** A contact's normal away from a side's body, x. */
+    double normalX(int side) {
+        return sign(side) * normalX[side / 2];
+    }
+
+    /** A contact's normal away from a side's body, y. */
+    double normalY(int side) {
+        return sign(side) * normalY[side / 2];
+    }
+
+    /** 1 or -1; computed, since no processor could guess which. */
+    private static double sign(int side) {
+        return 1 - 2 * (side & 1);
     }
 
     /** The first contact from one on with a side that is due; {@link #count} if there is none. */

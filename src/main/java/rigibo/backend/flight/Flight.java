@@ -231,17 +231,10 @@ public final class Flight {
                 && !hitsPile(pairs.bodyB[pair]);
     }
 
-    /**
-     * Grows the arrays to the present number of pairs, which can grow within the step. Ties that
-     * were already taken are kept.
-     */
+    /** Grows the arrays to the present number of pairs, which can grow within the step. */
     private void reserve() {
-        int pairCapacity = pairs.bodyA.length;
-        queue.reserve(pairCapacity);
-        if (tied.length < pairCapacity) {
-            tied = Arrays.copyOf(tied, pairCapacity);
-        }
-        impacts.reserve(pairCapacity);
+        queue.reserve(pairs.bodyA.length);
+        impacts.reserve();
     }
 
     /**
@@ -251,13 +244,20 @@ public final class Flight {
     private void takeTies() {
         reserve();
         double until = queue.firstTime() + TIE_PER_METRE * accuracy.impactTolerance();
-        tied[0] = queue.first();
-        tiedCount = 1;
-        queue.remove(tied[0]);
+        tiedCount = 0;
+        tie(queue.first());
         for (int i = 0; i < tiedCount; i++) {
             takeTiesOf(pairs.bodyA[tied[i]], until);
             takeTiesOf(pairs.bodyB[tied[i]], until);
         }
+    }
+
+    private void tie(int pair) {
+        if (tiedCount == tied.length) {
+            tied = Arrays.copyOf(tied, 2 * tiedCount);
+        }
+        tied[tiedCount++] = pair;
+        queue.remove(pair);
     }
 
     private void takeTiesOf(int slot, double until) {
@@ -266,8 +266,7 @@ public final class Flight {
         }
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             if (queue.timeOf(p) <= until) {
-                tied[tiedCount++] = p;
-                queue.remove(p);
+                tie(p);
             }
         }
     }

@@ -75,6 +75,9 @@ final class FlightImpacts {
      */
     void strike(int[] tied, int count, int first, double time, double dt) {
         countMeetings(tied, count, 1);
+        if (restsAt.length < count) {
+            restsAt = new double[2 * count];
+        }
         together.clear();
         for (int i = 0; i < count; i++) {
             strike(tied[i], i, time, dt);
@@ -97,11 +100,8 @@ final class FlightImpacts {
         }
     }
 
-    /** Grows the arrays to a number of pairs, and to all bodies. */
-    void reserve(int pairCapacity) {
-        if (restsAt.length < pairCapacity) {
-            restsAt = new double[pairCapacity];
-        }
+    /** Grows the arrays to all bodies. */
+    void reserve() {
         if (meetings.length < bodies.type.length) {
             meetings = new int[bodies.type.length];
         }

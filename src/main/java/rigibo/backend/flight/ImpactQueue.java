@@ -1,5 +1,6 @@
 package rigibo.backend.flight;
 
+import rigibo.backend.storage.Growth;
 import rigibo.backend.storage.Pairs;
 
 import java.util.Arrays;
@@ -14,9 +15,14 @@ final class ImpactQueue {
     private static final int ABSENT = -1;
 
     private final Pairs pairs;
-    private int[] heap = new int[0];
+
+    /** By place in the heap: the pair, and the predicted time, s after the step's start. */
+    private int[] heap = new int[16];
+
+    private double[] time = new double[16];
     private int size;
-    private double[] time = new double[0];
+
+    /** By pair: its place in the heap. */
     private int[] place = new int[0];
 
     ImpactQueue(Pairs pairs) {
@@ -38,8 +44,6 @@ final class ImpactQueue {
             int old = place.length;
             place = Arrays.copyOf(place, pairCapacity);
             Arrays.fill(place, old, pairCapacity, ABSENT);
-            time = Arrays.copyOf(time, pairCapacity);
-            heap = Arrays.copyOf(heap, pairCapacity);
         }
     }
 
@@ -54,18 +58,22 @@ final class ImpactQueue {
 
     /** Time of the first impact, s after the step's start. */
     double firstTime() {
-        return time[heap[0]];
+        return time[0];
     }
 
     /** Predicted time of a pair's impact, s after the step's start; infinite if there is none. */
     double timeOf(int pair) {
-        return place[pair] == ABSENT ? Double.POSITIVE_INFINITY : time[pair];
+        return place[pair] == ABSENT ? Double.POSITIVE_INFINITY : time[place[pair]];
     }
 
     /** Sets the predicted time of a pair's impact, in place of an earlier one. */
     void put(int pair, double when) {
         remove(pair);
-        time[pair] = when;
+        if (size == heap.length) {
+            heap = Arrays.copyOf(heap, Growth.after(size));
+            time = Arrays.copyOf(time, Growth.after(size));
+        }
+        time[size] = when;
         heap[size] = pair;
         place[pair] = size;
         up(size++);
@@ -81,6 +89,7 @@ final class ImpactQueue {
         int last = heap[--size];
         if (last != pair) {
             heap[at] = last;
+            time[at] = time[size];
             place[last] = at;
             up(at);
             down(place[last]);
@@ -89,7 +98,7 @@ final class ImpactQueue {
 
     private void up(int from) {
         int at = from;
-        while (at > 0 && isBefore(heap[at], heap[(at - 1) / 2])) {
+        while (at > 0 && isBefore(at, (at - 1) / 2)) {
             swap(at, (at - 1) / 2);
             at = (at - 1) / 2;
         }
@@ -99,10 +108,10 @@ final class ImpactQueue {
         int at = from;
         while (2 * at + 1 < size) {
             int child = 2 * at + 1;
-            if (child + 1 < size && isBefore(heap[child + 1], heap[child])) {
+            if (child + 1 < size && isBefore(child + 1, child)) {
                 child++;
             }
-            if (!isBefore(heap[child], heap[at])) {
+            if (!isBefore(child, at)) {
                 return;
             }
             swap(at, child);
@@ -110,10 +119,13 @@ final class ImpactQueue {
         }
     }
 
-    private boolean isBefore(int pair, int other) {
-        if (time[pair] != time[other]) {
-            return time[pair] < time[other];
+    /** Whether what is at one place comes before what is at another. */
+    private boolean isBefore(int at, int than) {
+        if (time[at] != time[than]) {
+            return time[at] < time[than];
         }
+        int pair = heap[at];
+        int other = heap[than];
         int a = pairs.bodyA[pair];
         int otherA = pairs.bodyA[other];
         int b = pairs.bodyB[pair];
@@ -130,8 +142,11 @@ final class ImpactQueue {
 
     private void swap(int i, int j) {
         int pair = heap[i];
+        double when = time[i];
         heap[i] = heap[j];
+        time[i] = time[j];
         heap[j] = pair;
+        time[j] = when;
         place[heap[i]] = i;
         place[heap[j]] = j;
     }

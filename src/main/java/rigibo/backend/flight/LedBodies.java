@@ -1,12 +1,14 @@
 package rigibo.backend.flight;
 
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.Growth;
 
 import java.util.Arrays;
 
 /**
- * The bodies of the contacts that ways are handed on through, packed: eight doubles each, one cache
- * line, for two ways. The second way of a body is opposed to the first.
+ * The bodies of the contacts that ways are handed on through, packed. Those that are led off have
+ * eight doubles each, one cache line, for two ways; the second way of a body is opposed to the
+ * first. All others share the first line, of zeros.
  */
 final class LedBodies {
 
@@ -30,8 +32,11 @@ final class LedBodies {
     /** Number of entries. */
     private int count;
 
-    /** By entry, twice: its ways. */
+    /** The ways, two by two; see {@link #firstWay}. */
     double[] ways = new double[2 * STRIDE * 16];
+
+    /** Number of lines of ways. */
+    private int lines;
 
     /** By entry: its mass, kg; infinite for what is fixed or driven. */
     double[] mass = new double[16];
@@ -39,8 +44,8 @@ final class LedBodies {
     /** By entry: whether it can be led off. */
     boolean[] moves = new boolean[16];
 
-    /** By entry: whether it has a way. */
-    boolean[] isLed = new boolean[16];
+    /** By entry: the place of its first way, 0 if it is not led off. */
+    private int[] firstWay = new int[16];
 
     /** By entry: its latest side of a contact in {@link DueContacts}. */
     int[] lastSide = new int[16];
@@ -60,6 +65,7 @@ final class LedBodies {
             entries = new int[bodies.type.length];
         }
         count = 0;
+        lines = 1;
     }
 
     /** The entry of a body, {@link #NONE} if it has none. */
@@ -77,22 +83,24 @@ final class LedBodies {
     private int add(int slot) {
         int entry = count++;
         if (entry == slots.length) {
-            slots = Arrays.copyOf(slots, 2 * entry);
-            mass = Arrays.copyOf(mass, 2 * entry);
-            moves = Arrays.copyOf(moves, 2 * entry);
-            isLed = Arrays.copyOf(isLed, 2 * entry);
-            lastSide = Arrays.copyOf(lastSide, 2 * entry);
-            ways = Arrays.copyOf(ways, 2 * STRIDE * 2 * entry);
+            grow(Growth.after(entry));
         }
         boolean isDynamic = bodies.isDynamic(slot);
         slots[entry] = slot;
         entries[slot] = entry;
         mass[entry] = isDynamic ? 1 / bodies.inverseMass[slot] : Double.POSITIVE_INFINITY;
         moves[entry] = isDynamic && bodies.awake[slot];
-        isLed[entry] = false;
+        firstWay[entry] = 0;
         lastSide[entry] = NONE;
-        Arrays.fill(ways, 2 * STRIDE * entry, 2 * STRIDE * (entry + 1), 0);
         return entry;
+    }
+
+    private void grow(int capacity) {
+        slots = Arrays.copyOf(slots, capacity);
+        mass = Arrays.copyOf(mass, capacity);
+        moves = Arrays.copyOf(moves, capacity);
+        firstWay = Arrays.copyOf(firstWay, capacity);
+        lastSide = Arrays.copyOf(lastSide, capacity);
     }
 
     /** The slot of an entry. */
@@ -101,14 +109,28 @@ final class LedBodies {
     }
 
     /** The place of an entry's first way; the second one follows. */
-    static int firstWay(int entry) {
-        return 2 * STRIDE * entry;
+    int firstWay(int entry) {
+        return firstWay[entry];
     }
 
-    /** The way of an entry that a push along a direction may lengthen. */
-    int wayAlong(int entry, double nx, double ny) {
-        int first = firstWay(entry);
-        return along(first, nx, ny) < 0 ? first + STRIDE : first;
+    /** Whether an entry is led off. */
+    boolean isLed(int entry) {
+        return firstWay[entry] > 0;
+    }
+
+    /** Gives an entry that is not led off two ways of no length. */
+    void lead(int entry) {
+        int way = 2 * STRIDE * lines++;
+        if (way == ways.length) {
+            ways = Arrays.copyOf(ways, Growth.after(way));
+        }
+        Arrays.fill(ways, way, way + 2 * STRIDE, 0);
+        firstWay[entry] = way;
+    }
+
+    /** Whether a push along a direction may lengthen the second way of an entry, not the first. */
+    boolean isSecondAlong(int entry, double nx, double ny) {
+        return along(firstWay[entry], nx, ny) < 0;
     }
 
     /** Length of an entry's longer way, m. */

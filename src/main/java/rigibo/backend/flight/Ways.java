@@ -108,39 +108,42 @@ final class Ways {
     private void askSide(int side) {
         int body = contacts.by[side ^ 1];
         if (entries.moves[body]) {
-            double nx = contacts.normalX[side];
-            double ny = contacts.normalY[side];
-            int way = entries.wayAlong(body, nx, ny);
-            contacts.asked[side] = way;
-            push(side / 2, contacts.by[side], body, way, nx, ny);
+            double nx = contacts.normalX(side);
+            double ny = contacts.normalY(side);
+            boolean isSecond = entries.isSecondAlong(body, nx, ny);
+            contacts.wasSecond[side] = isSecond;
+            push(side / 2, contacts.by[side], body, isSecond ? LedBodies.STRIDE : 0, nx, ny);
         }
     }
 
-    /** Leads a body off by what the other one of a contact may do to it, along a normal. */
-    private void push(int contact, int by, int body, int led, double nx, double ny) {
+    /**
+     * Leads a body off by what the other one of a contact may do to it, along a normal, on the way
+     * so many places after its first one.
+     */
+    private void push(int contact, int by, int body, int after, double nx, double ny) {
         double closing = contacts.closing[contact];
         double least = contacts.least[contact];
-        double shortest = shortest(led, least);
+        double shortest = shortest(entries.firstWay(body) + after, least);
         boolean grows = false;
         // No way is longer than wanted, whatever the masses: most questions end here.
-        if (closing > shortest && lead(body, led, shortest, closing, entries.mass[by], nx, ny)) {
+        if (closing > shortest && lead(body, after, shortest, closing, entries.mass[by], nx, ny)) {
             grows = true;
-            shortest = shortest(led, least);
+            shortest = shortest(entries.firstWay(body) + after, least);
         }
-        int way = LedBodies.firstWay(by);
+        int way = entries.firstWay(by);
         for (int i = 0; i < 2; i++, way += LedBodies.STRIDE) {
             double along = entries.along(way, nx, ny);
             double wanted = closing + along;
             double pushing = entries.ways[way + LedBodies.MASS];
             if (wanted > shortest
                     && along > 0
-                    && lead(body, led, shortest, wanted, pushing, nx, ny)) {
+                    && lead(body, after, shortest, wanted, pushing, nx, ny)) {
                 grows = true;
-                shortest = shortest(led, least);
+                shortest = shortest(entries.firstWay(body) + after, least);
             }
         }
         if (grows) {
-            contacts.tell(body, led == LedBodies.firstWay(body));
+            contacts.tell(body, after == 0);
         }
     }
 
@@ -158,7 +161,7 @@ final class Ways {
     /** Leads a body off on a way along a normal; returns whether farther than before. */
     private boolean lead(
             int body,
-            int way,
+            int after,
             double shortest,
             double wanted,
             double pushing,
@@ -170,10 +173,11 @@ final class Ways {
         if (!(length > shortest)) {
             return false;
         }
-        if (!entries.isLed[body]) {
-            entries.isLed[body] = true;
+        if (!entries.isLed(body)) {
+            entries.lead(body);
             led.add(entries.slot(body));
         }
+        int way = entries.firstWay(body) + after;
         double x = length * nx;
         double y = length * ny;
         double[] ways = entries.ways;
@@ -196,7 +200,7 @@ final class Ways {
         if (entry == LedBodies.NONE) {
             return 0;
         }
-        int way = LedBodies.firstWay(entry);
+        int way = entries.firstWay(entry);
         return Math.max(entries.along(way, nx, ny), entries.along(way + LedBodies.STRIDE, nx, ny));
     }
 

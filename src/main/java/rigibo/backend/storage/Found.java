@@ -39,7 +39,7 @@ public final class Found {
     /** Appends a number. */
     public void add(int number) {
         if (count == numbers.length) {
-            numbers = Arrays.copyOf(numbers, 2 * count);
+            numbers = Arrays.copyOf(numbers, Growth.after(count));
         }
         numbers[count++] = number;
     }

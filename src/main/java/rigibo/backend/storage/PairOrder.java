@@ -26,14 +26,11 @@ public final class PairOrder implements ColumnVisitor {
     private int[] news = new int[0];
 
     /**
-     * Buffers to sort into, with one or two values a pair; a sorted column and its buffer change
-     * places.
+     * Buffers to sort into, with one value a pair, from which a column is copied back. Numbers that
+     * are whole are sorted into {@link #news}, which is free by then.
      */
     private double[] numbers = new double[0];
 
-    private double[] twinNumbers = new double[0];
-    private int[] integers = new int[0];
-    private int[] twinIntegers = new int[0];
     private boolean[] flags = new boolean[0];
 
     /** Watches the order of the pairs of a storage. */
@@ -45,7 +42,7 @@ public final class PairOrder implements ColumnVisitor {
     /** Sorts the pairs if the active ones, which were just listed, are too scattered. */
     public void restore() {
         if (olds.length > 0) {
-            // While the columns grow one after another, so do the buffers.
+            // While the columns grow one after another, so do lists and buffers.
             lengthenOne(pairs.roomAhead());
         }
         if (pairs.activeCount > FEW && stepsBack() > SCATTERED * pairs.activeCount) {
@@ -68,7 +65,7 @@ public final class PairOrder implements ColumnVisitor {
      */
     private void listOrder() {
         while (lengthenOne(pairs.room())) {
-            // The first time this makes all buffers, later only those that were not made ahead.
+            // The first time this makes them all, later only what was not made ahead.
         }
         int count = 0;
         for (int i = 0; i < pairs.activeCount; i++) {
@@ -87,12 +84,12 @@ public final class PairOrder implements ColumnVisitor {
     private void renumber() {
         linkAnew(pairs.next);
         linkAnew(pairs.previous);
-        pairs.visitColumns(this);
         for (int slot = 0; slot < bodies.slots.high; slot++) {
             int first = bodies.type[slot] == null ? Pairs.NONE : bodies.firstPair[slot];
             bodies.firstPair[slot] = first == Pairs.NONE ? Pairs.NONE : news[first];
         }
         pairs.index.renumber(news);
+        pairs.visitColumns(this);
         for (int i = 0; i < pairs.activeCount; i++) {
             pairs.active[i] = i;
         }
@@ -108,16 +105,10 @@ public final class PairOrder implements ColumnVisitor {
         }
     }
 
-    /** Lengthens one buffer that is too short; returns whether there was one. */
+    /** Lengthens one list or buffer that is too short; returns whether there was one. */
     private boolean lengthenOne(int capacity) {
-        if (twinNumbers.length < 2 * capacity) {
-            twinNumbers = new double[2 * capacity];
-        } else if (numbers.length < capacity) {
+        if (numbers.length < capacity) {
             numbers = new double[capacity];
-        } else if (twinIntegers.length < 2 * capacity) {
-            twinIntegers = new int[2 * capacity];
-        } else if (integers.length < capacity) {
-            integers = new int[capacity];
         } else if (olds.length < capacity) {
             olds = new int[capacity];
         } else if (news.length < capacity) {
@@ -135,75 +126,73 @@ public final class PairOrder implements ColumnVisitor {
         throw new AssertionError("pairs have no column of references, but " + name);
     }
 
-    @Override
-    public double[] column(String name, Role role, Need need, double[] column) {
-        if (column == null) {
-            return null;
-        }
-        double[] to = numbers;
+    private void sort(double[] column, int perSlot, int first) {
         int count = pairs.slots.inUse();
         for (int i = 0; i < count; i++) {
-            to[i] = column[olds[i]];
+            numbers[i] = column[perSlot * olds[i] + first];
         }
-        numbers = column;
-        return to;
+        for (int i = 0; i < count; i++) {
+            column[perSlot * i + first] = numbers[i];
+        }
+    }
+
+    private void sort(int[] column, int perSlot, int first) {
+        int count = pairs.slots.inUse();
+        for (int i = 0; i < count; i++) {
+            news[i] = column[perSlot * olds[i] + first];
+        }
+        for (int i = 0; i < count; i++) {
+            column[perSlot * i + first] = news[i];
+        }
+    }
+
+    private void sort(boolean[] column) {
+        int count = pairs.slots.inUse();
+        for (int i = 0; i < count; i++) {
+            flags[i] = column[olds[i]];
+        }
+        System.arraycopy(flags, 0, column, 0, count);
+    }
+
+    @Override
+    public double[] column(String name, Role role, Need need, double[] column) {
+        if (column != null) {
+            sort(column, 1, 0);
+        }
+        return column;
     }
 
     @Override
     public double[] twins(String name, Role role, Need need, double[] column) {
-        if (column == null) {
-            return null;
+        if (column != null) {
+            sort(column, 2, 0);
+            sort(column, 2, 1);
         }
-        double[] to = twinNumbers;
-        int count = pairs.slots.inUse();
-        for (int i = 0; i < count; i++) {
-            to[2 * i] = column[2 * olds[i]];
-            to[2 * i + 1] = column[2 * olds[i] + 1];
-        }
-        twinNumbers = column;
-        return to;
+        return column;
     }
 
     @Override
     public int[] column(String name, Role role, Need need, int[] column) {
-        if (column == null) {
-            return null;
+        if (column != null) {
+            sort(column, 1, 0);
         }
-        int[] to = integers;
-        int count = pairs.slots.inUse();
-        for (int i = 0; i < count; i++) {
-            to[i] = column[olds[i]];
-        }
-        integers = column;
-        return to;
+        return column;
     }
 
     @Override
     public int[] twins(String name, Role role, Need need, int[] column) {
-        if (column == null) {
-            return null;
+        if (column != null) {
+            sort(column, 2, 0);
+            sort(column, 2, 1);
         }
-        int[] to = twinIntegers;
-        int count = pairs.slots.inUse();
-        for (int i = 0; i < count; i++) {
-            to[2 * i] = column[2 * olds[i]];
-            to[2 * i + 1] = column[2 * olds[i] + 1];
-        }
-        twinIntegers = column;
-        return to;
+        return column;
     }
 
     @Override
     public boolean[] column(String name, Role role, Need need, boolean[] column) {
-        if (column == null) {
-            return null;
+        if (column != null) {
+            sort(column);
         }
-        boolean[] to = flags;
-        int count = pairs.slots.inUse();
-        for (int i = 0; i < count; i++) {
-            to[i] = column[olds[i]];
-        }
-        flags = column;
-        return to;
+        return column;
     }
 }

@@ -284,7 +284,7 @@ public final class Pairs {
 
     private void list(int pair) {
         if (activeCount == active.length) {
-            active = Arrays.copyOf(active, 2 * activeCount);
+            active = Arrays.copyOf(active, Growth.after(activeCount));
         }
         active[activeCount++] = pair;
     }

@@ -4,10 +4,11 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * The capacity of the columns of a table. It grows by half, but not in one step: once three
- * quarters of the slots are in use, one column after another is copied into a longer array, in
- * proportion to the slots assigned, so that the last one is copied with the last slot. Copying all
- * of them at once would cost a single step megabytes with ten thousand pairs.
+ * The capacity of the columns of a table. It grows by half, where it is large by a quarter, but not
+ * in one step: while the last quarter of the slots is assigned, or the last sixteenth, one column
+ * after another is copied into a longer array, in proportion to the slots assigned, so that the
+ * last one is copied with the last slot. Copying all of them at once would cost a single step
+ * megabytes with ten thousand pairs.
  *
  * <p>The columns at the end of the table are copied first. Scratch is made as long as the columns
  * at its beginning, and so grows no sooner than it must.
@@ -19,6 +20,12 @@ final class Room implements ColumnVisitor {
      * take a few hundred kB.
      */
     private static final int FEW = 1024;
+
+    /** Share of the slots, as its divisor, during whose assignment the columns are copied. */
+    private static final int EARLY = 4;
+
+    /** That divisor for {@link Growth#LARGE} tables, whose columns would be too long for longer. */
+    private static final int LATE = 16;
 
     private final Consumer<ColumnVisitor> table;
 
@@ -47,7 +54,8 @@ final class Room implements ColumnVisitor {
 
     private void begin(int room) {
         slots = room;
-        first = room > FEW ? room / 4 * 3 : room;
+        int last = room > Growth.LARGE ? room / LATE : room / EARLY;
+        first = room > FEW ? room - last : room;
         next = first;
     }
 
@@ -62,7 +70,8 @@ final class Room implements ColumnVisitor {
     }
 
     private int more() {
-        return slots < FEW ? 2 * slots : slots + slots / 2;
+        int grown = slots < FEW ? 2 * slots : slots + slots / 2;
+        return slots < Growth.LARGE ? grown : Growth.after(slots);
     }
 
     /** Makes room for a slot, which must be the lowest that was never assigned. */
@@ -119,7 +128,6 @@ final class Room implements ColumnVisitor {
             return present;
         }
         lengthened += bits;
-        // A column may be longer already, because PairOrder exchanges columns with its buffers.
         return Math.max(present, more() * perSlot);
     }
 

@@ -23,7 +23,7 @@ public final class Slots {
             return free[--freeCount];
         }
         if (high == free.length) {
-            free = Arrays.copyOf(free, 2 * high);
+            free = Arrays.copyOf(free, Growth.after(high));
         }
         return high++;
     }

@@ -25,7 +25,7 @@ final class OneInstant {
     void begin(double dt) {
         air.meet(dt);
         paths.begin();
-        impacts.reserve(air.pairs.bodyA.length);
+        impacts.reserve();
     }
 
     /** Resolves the impacts of pairs at a time in s within a step of dt seconds. */
