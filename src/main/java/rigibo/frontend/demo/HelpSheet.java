@@ -89,10 +89,13 @@ enum HelpSheet {
 
     private static void drawPlan(Canvas canvas, String plan) {
         double y = PLAN;
-        for (String line : wrapped(plan, canvas)) {
+        List<String> lines = wrapped(plan, canvas);
+        // Large letters make more lines than stand there at their usual distance.
+        double pitch = Math.min(LINE, (Scene.HEIGHT - LINE - PLAN) / lines.size());
+        for (String line : lines) {
             canvas.text(
                     line, LEFT, y, PLAN_SIZE, Canvas.Font.NUMBERS, Canvas.Align.LEFT, Color.TEXT);
-            y += LINE;
+            y += pitch;
         }
     }
 

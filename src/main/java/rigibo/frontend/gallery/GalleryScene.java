@@ -234,8 +234,8 @@ final class GalleryScene implements TiledScene {
         Color edge = isChosen ? Color.BRASS : Color.EDGE;
         canvas.frame(tile.x(), tile.y(), tile.width(), tile.height(), 10, edge);
         double width = tile.width() - 16;
-        double middle = strip + STRIP / 2;
-        Print.fitted(canvas, titles.title(found), tile.middleX(), middle, 16, width, Color.TEXT);
+        String title = Lines.shortened(canvas, titles.title(found), 16, Canvas.Font.WORDS, width);
+        Print.centred(canvas, title, tile.middleX(), strip + STRIP / 2, 16, Color.TEXT);
     }
 
     /** From page to page: a section's tab, then the way on as often as it has pages more. */

@@ -5,6 +5,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
@@ -29,6 +30,9 @@ record LevelCard(LevelList levels, int level, Words words) {
 
     private static final double STRIP = 30;
 
+    /** Between two lines of a title, px. */
+    private static final double LINE = 22;
+
     /** Margin around the picture, px. */
     private static final double MARGIN = 10;
 
@@ -44,7 +48,10 @@ record LevelCard(LevelList levels, int level, Words words) {
     }
 
     void draw(Canvas canvas, Tile tile, boolean isChosen) {
-        double strip = canvas.layout().lettered(STRIP);
+        String title = levels.levels().get(level).title().apply(words);
+        List<String> lines = Lines.of(canvas, title, 16, Canvas.Font.WORDS, tile.width() - 16);
+        double pitch = canvas.layout().lettered(LINE);
+        double strip = canvas.layout().lettered(STRIP) + (lines.size() - 1) * pitch;
         double picture = tile.height() - strip;
         SceneEntry entry = levels.levels().get(level);
         entry.challenge()
@@ -60,9 +67,11 @@ record LevelCard(LevelList levels, int level, Words words) {
         canvas.panel(tile.x(), foot, tile.width(), strip, 10, plate);
         Color edge = isChosen ? Color.BRASS : Color.EDGE;
         canvas.frame(tile.x(), tile.y(), tile.width(), tile.height(), 10, edge);
-        String title = entry.title().apply(words);
-        double middle = foot + strip / 2;
-        Print.fitted(canvas, title, tile.middleX(), middle, 16, tile.width() - 16, Color.TEXT);
+        double y = foot + canvas.layout().lettered(STRIP) / 2;
+        for (String line : lines) {
+            Print.centred(canvas, line, tile.middleX(), y, 16, Color.TEXT);
+            y += pitch;
+        }
         drawNumber(canvas, tile);
         if (isOpen && levels.isSolved(level)) {
             drawPrize(canvas, tile);

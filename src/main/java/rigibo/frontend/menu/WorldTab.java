@@ -3,6 +3,7 @@ package rigibo.frontend.menu;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Tile;
 
@@ -42,10 +43,15 @@ record WorldTab(LevelList levels, int world, Words words) {
                     2,
                     Color.BRASS);
         }
-        String name = words.of("world." + world);
+        String name =
+                Lines.shortened(
+                        canvas,
+                        words.of("world." + world),
+                        16,
+                        Canvas.Font.WORDS,
+                        tile.width() - 12);
         Color color = isShown ? Color.BRASS : Color.TEXT;
-        double y = tile.y() + NAME * tile.height();
-        Print.fitted(canvas, name, tile.middleX(), y, 16, tile.width() - 12, color);
+        Print.centred(canvas, name, tile.middleX(), tile.y() + NAME * tile.height(), 16, color);
         if (levels.isWorldOpen(world)) {
             drawDots(canvas, tile);
         } else {

@@ -2,7 +2,6 @@ package rigibo.frontend.scene.widget;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
-import rigibo.frontend.scene.Layout;
 
 import java.util.List;
 
@@ -18,28 +17,6 @@ public final class Print {
     public static void centred(
             Canvas canvas, String words, double x, double y, double size, Color color) {
         canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.CENTRE, color);
-    }
-
-    /**
-     * With its middle at a point, in a room that may be too narrow for it. Large letters, where the
-     * player chose them, get smaller there, down to the usual size; what is wider still is cut.
-     *
-     * @param width of the room, px
-     */
-    public static void fitted(
-            Canvas canvas,
-            String words,
-            double x,
-            double y,
-            double size,
-            double width,
-            Color color) {
-        Layout layout = canvas.layout();
-        double least = size / Math.max(1, layout.type() * layout.ratio());
-        double all = canvas.textWidth(words, size, Canvas.Font.WORDS);
-        double fitting = Math.max(least, size * Math.min(1, width / all));
-        String shown = Lines.shortened(canvas, words, fitting, Canvas.Font.WORDS, width);
-        centred(canvas, shown, x, y, fitting, color);
     }
 
     /** To the right of a point. */
