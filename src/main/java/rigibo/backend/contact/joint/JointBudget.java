@@ -50,9 +50,12 @@ final class JointBudget {
     private static final int MOST_ROWS = 400;
 
     /**
-     * Most rows with bounds of such an island; more of them enter and leave the set without end.
+     * Most rows with bounds of such an island; and those from EXACT on. Where more of them enter
+     * and leave the set, passes take less time, but may add energy.
      */
     private static final int MOST_BOUNDED = 60;
+
+    private static final int MOST_BOUNDED_IF_EXACT = 200;
 
     /** Usual least number of rows of a contact or a joint. */
     private static final int LEAST_ROWS = 2;
@@ -74,6 +77,7 @@ final class JointBudget {
     private final int substeps;
     private final double worth;
     private final double leastWorth;
+    private final int mostBounded;
 
     private boolean isSmall;
     private boolean isWhole;
@@ -88,7 +92,9 @@ final class JointBudget {
         substeps = accuracy.substeps();
         double times = Math.max(1, substeps / (double) Accuracy.GAME.substeps());
         leastWorth = LEAST_WORTH * times * times;
-        worth = substeps < Accuracy.EXACT.substeps() ? WORTH : WORTH_IF_EXACT;
+        boolean isExact = substeps >= Accuracy.EXACT.substeps();
+        worth = isExact ? WORTH_IF_EXACT : WORTH;
+        mostBounded = isExact ? MOST_BOUNDED_IF_EXACT : MOST_BOUNDED;
     }
 
     /** Whether an island is too large for its contacts and limits to be eliminated. */
@@ -111,7 +117,7 @@ final class JointBudget {
                             || joints.upper[slot] < Double.POSITIVE_INFINITY;
             bounded += (isLimited ? 1 : 0) + (joints.motorMost[slot] > 0 ? 1 : 0);
         }
-        return contactCount > 0 && bounded > MOST_BOUNDED;
+        return contactCount > 0 && bounded > mostBounded;
     }
 
     private int contacts(int island) {
