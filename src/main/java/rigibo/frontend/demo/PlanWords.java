@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Says the plan of a step, which the engine writes in English, in the player's language. */
 final class PlanWords {
@@ -49,10 +50,7 @@ final class PlanWords {
     }
 
     private String list(String all) {
-        return Pattern.compile(", ")
-                .splitAsStream(all)
-                .map(this::word)
-                .collect(Collectors.joining(", "));
+        return Stream.of(all.split(", ")).map(this::word).collect(Collectors.joining(", "));
     }
 
     private String word(String english) {
