@@ -49,7 +49,6 @@ public record LargeBench(List<Integer> sizes) {
     }
 
     private static LargeCosts costs(int size) {
-        double asleep = asleep(size);
         long memory = memory();
         long begun = ThreadUse.nanos();
         LargeWorld world = LargeWorld.of(size);
@@ -64,6 +63,7 @@ public record LargeBench(List<Integer> sizes) {
         int length = world.pool.snapshot().length;
         double snapshot = length > 0 ? ThreadUse.nanos() - begun : 0;
         double remove = remove(world);
+        double asleep = asleep(size);
         return new LargeCosts(
                 size,
                 add,
@@ -118,8 +118,12 @@ public record LargeBench(List<Integer> sizes) {
         return (ThreadUse.nanos() - begun) / (double) ASKED;
     }
 
-    /** Bytes in use after a garbage collection. */
+    /**
+     * Bytes in use after garbage collection, twice: what the first one finds to be garbage, the
+     * world before, may be in use until the second.
+     */
     private static long memory() {
+        System.gc();
         System.gc();
         return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
     }
