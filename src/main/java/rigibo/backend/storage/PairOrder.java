@@ -126,72 +126,62 @@ public final class PairOrder implements ColumnVisitor {
         throw new AssertionError("pairs have no column of references, but " + name);
     }
 
-    private void sort(double[] column, int perSlot, int first) {
+    /** Sorts a column of some numbers for each pair, if there is one; returns it. */
+    private double[] sorted(double[] column, int perSlot) {
         int count = pairs.slots.inUse();
-        for (int i = 0; i < count; i++) {
-            numbers[i] = column[perSlot * olds[i] + first];
+        for (int first = 0; column != null && first < perSlot; first++) {
+            for (int i = 0; i < count; i++) {
+                numbers[i] = column[perSlot * olds[i] + first];
+            }
+            for (int i = 0; i < count; i++) {
+                column[perSlot * i + first] = numbers[i];
+            }
         }
-        for (int i = 0; i < count; i++) {
-            column[perSlot * i + first] = numbers[i];
-        }
+        return column;
     }
 
-    private void sort(int[] column, int perSlot, int first) {
+    /** Sorts a column of some numbers for each pair, if there is one; returns it. */
+    private int[] sorted(int[] column, int perSlot) {
         int count = pairs.slots.inUse();
-        for (int i = 0; i < count; i++) {
-            news[i] = column[perSlot * olds[i] + first];
+        for (int first = 0; column != null && first < perSlot; first++) {
+            for (int i = 0; i < count; i++) {
+                news[i] = column[perSlot * olds[i] + first];
+            }
+            for (int i = 0; i < count; i++) {
+                column[perSlot * i + first] = news[i];
+            }
         }
-        for (int i = 0; i < count; i++) {
-            column[perSlot * i + first] = news[i];
-        }
-    }
-
-    private void sort(boolean[] column) {
-        int count = pairs.slots.inUse();
-        for (int i = 0; i < count; i++) {
-            flags[i] = column[olds[i]];
-        }
-        System.arraycopy(flags, 0, column, 0, count);
+        return column;
     }
 
     @Override
     public double[] column(String name, Role role, Need need, double[] column) {
-        if (column != null) {
-            sort(column, 1, 0);
-        }
-        return column;
+        return sorted(column, 1);
     }
 
     @Override
     public double[] twins(String name, Role role, Need need, double[] column) {
-        if (column != null) {
-            sort(column, 2, 0);
-            sort(column, 2, 1);
-        }
-        return column;
+        return sorted(column, 2);
     }
 
     @Override
     public int[] column(String name, Role role, Need need, int[] column) {
-        if (column != null) {
-            sort(column, 1, 0);
-        }
-        return column;
+        return sorted(column, 1);
     }
 
     @Override
     public int[] twins(String name, Role role, Need need, int[] column) {
-        if (column != null) {
-            sort(column, 2, 0);
-            sort(column, 2, 1);
-        }
-        return column;
+        return sorted(column, 2);
     }
 
     @Override
     public boolean[] column(String name, Role role, Need need, boolean[] column) {
+        int count = pairs.slots.inUse();
+        for (int i = 0; column != null && i < count; i++) {
+            flags[i] = column[olds[i]];
+        }
         if (column != null) {
-            sort(column);
+            System.arraycopy(flags, 0, column, 0, count);
         }
         return column;
     }

@@ -104,6 +104,16 @@ final class ActiveRows {
         }
     }
 
+    /** Places all rows with bounds anew, by what they carry and by bounds of now. */
+    void placeAnew() {
+        for (int i = 0; i < boundedCount; i++) {
+            int row = bounded[i];
+            rows.bound(row);
+            rows.push(row, within(row, rows.impulse[row]) - rows.impulse[row]);
+            place(row);
+        }
+    }
+
     /** Takes a row with bounds out of the set, to one of them. */
     private void leave(int row, int bound) {
         side[row] = bound;
@@ -174,7 +184,7 @@ final class ActiveRows {
     }
 
     /** The impulse within a row's bounds that is nearest to one, N·s. */
-    double within(int row, double impulse) {
+    private double within(int row, double impulse) {
         return Math.max(rows.lower[row], Math.min(rows.upper[row], impulse));
     }
 

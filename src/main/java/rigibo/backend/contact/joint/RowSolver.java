@@ -264,13 +264,7 @@ final class RowSolver {
     /** Goes back to how rows were before what slides was solved with its loads. */
     private void goApart() {
         apart.recall();
-        for (int i = 0; i < active.boundedCount; i++) {
-            int row = active.bounded[i];
-            rows.bound(row);
-            double within = active.within(row, rows.impulse[row]);
-            rows.push(row, within - rows.impulse[row]);
-            active.place(row);
-        }
+        active.placeAnew();
     }
 
     private double strongest() {

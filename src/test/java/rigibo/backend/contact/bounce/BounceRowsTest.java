@@ -70,7 +70,7 @@ class BounceRowsTest {
     void reboundsThatNobodySeesAreNone() {
         island.bodies.accelerationY[b] = -10;
         assertThat(begin()).isCloseTo(Math.sqrt(2 * 10 * 0.5e-3 * 2), within(ROUND_OFF));
-        // The same from the other side: the lower box is pulled up.
+        // Now the lower box is pulled up.
         island.bodies.accelerationY[b] = 0;
         island.bodies.accelerationY[a] = 10;
         assertThat(begin()).isCloseTo(Math.sqrt(2 * 10 * 0.5e-3 * 2), within(ROUND_OFF));

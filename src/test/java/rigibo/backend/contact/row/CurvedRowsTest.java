@@ -236,7 +236,7 @@ class CurvedRowsTest {
         assertThat(curved.isCurved(ROW, 1)).isFalse();
     }
 
-    /** The same on a body turned by any angle. */
+    /** Corners reach the ends of a face in the same way if both bodies are turned. */
     @ParameterizedTest
     @CsvSource({"0.11, true", "0.09, false"})
     void facesMayBeTurned(double way, boolean isCurved) {
