@@ -1,32 +1,34 @@
 package rigibo.backend.contact.joint;
 
 /**
- * The rows of an island that are eliminated: all equations, and those with bounds that are within
- * them. Of the others it knows at which bound each is.
+ * The active set of an island: all equations, and the rows with bounds that are within them. These
+ * rows are eliminated. For every other row the bound is stored that the row is at.
  */
 final class ActiveRows {
 
-    /** Share of a bound from which on what was carried counts as at it. */
+    /** Share of a bound from which an impulse counts as being at the bound. */
     private static final double AT_BOUND = 1 - 1e-9;
 
-    /** Share of what friction may carry from which on a contact counts as sliding. */
+    /** Share of its limit from which friction counts as sliding. */
     private static final double SLID = 0.999;
 
-    /** Rows of a joint along one coordinate, two limits and a motor, besides one of them. */
+    /**
+     * Number of other rows along the coordinate of a joint's row: two limits and a motor share it.
+     */
     private static final int MOST_RIVALS = 2;
 
     private final NeutralRows rows;
     private final RowElimination elimination;
 
-    /** By row: at which bound it is while it is out of the set, −1 or 1. */
+    /** By row outside the set: the bound that it is at, −1 or 1. */
     int[] side = new int[64];
 
-    /** The rows with bounds, all but equations, in their order. */
+    /** The rows with bounds, which are all but equations, in order; and their number. */
     int[] bounded = new int[64];
 
     int boundedCount;
 
-    /** Whether rows are kept near what they carried. */
+    /** Whether impulses are kept near those of the last kick. */
     private boolean areNear;
 
     ActiveRows(NeutralRows rows, RowElimination elimination) {
@@ -35,8 +37,8 @@ final class ActiveRows {
     }
 
     /**
-     * Begins with rows that were just written. Equations are in the set; rows with bounds carry
-     * what is within them, and are to be placed.
+     * Begins with rows that were just written. Equations are in the set; impulses of rows with
+     * bounds are clamped to these, and the caller has to place each such row.
      */
     void begin(boolean areKeptNear) {
         areNear = areKeptNear;
@@ -57,14 +59,14 @@ final class ActiveRows {
         clampAll();
     }
 
-    /** Lets bounds follow the loads that they depend on. */
+    /** Updates the bounds that depend on loads. */
     void boundAll() {
         for (int i = 0; i < boundedCount; i++) {
             rows.bound(bounded[i]);
         }
     }
 
-    /** Takes a row of a joint in or out of the set by what it carried in the kick before, N·s. */
+    /** Puts a joint's row into the set or at a bound, by its impulse in the last kick, N·s. */
     void placeAsBefore(int row, double carried) {
         boolean isWithin =
                 carried > AT_BOUND * rows.lower[row] && carried < AT_BOUND * rows.upper[row];
@@ -78,9 +80,9 @@ final class ActiveRows {
     }
 
     /**
-     * Takes the row of a contact into the set if it carried a load in the kick before, and leaves
-     * friction at its bound that slid. What sticks at two wheels at once, or where two bodies lie
-     * on a third, would else be found out by exchanging rows one after the other.
+     * Puts a contact's row into the set if it carried a load in the last kick; friction that slid
+     * starts at its bound. Otherwise rows would have to be exchanged one by one where friction
+     * sticks at two wheels, or where two bodies lie on a third.
      */
     void placeContact(int row) {
         double carried = rows.impulse[row];
@@ -94,7 +96,10 @@ final class ActiveRows {
         }
     }
 
-    /** Takes a row with bounds into the set, if alone it would be within them. */
+    /**
+     * Puts a row into the set if the impulse that solves it alone is within its bounds, otherwise
+     * at a bound.
+     */
     void place(int row) {
         double wish = rows.wish(row);
         if (wish > rows.lower[row] && wish < rows.upper[row]) {
@@ -104,7 +109,7 @@ final class ActiveRows {
         }
     }
 
-    /** Places all rows with bounds anew, by what they carry and by bounds of now. */
+    /** Places all rows with bounds again, by their present impulses and bounds. */
     void placeAnew() {
         for (int i = 0; i < boundedCount; i++) {
             int row = bounded[i];
@@ -114,14 +119,14 @@ final class ActiveRows {
         }
     }
 
-    /** Takes a row with bounds out of the set, to one of them. */
+    /** Removes a row from the set and puts it at a bound. */
     private void leave(int row, int bound) {
         side[row] = bound;
         elimination.put(row, false);
         toBound(row);
     }
 
-    /** Takes a row with bounds into the set; a rival of it goes to its bound. */
+    /** Adds a row to the set; its rival leaves the set and goes to its bound. */
     private void enter(int row) {
         int rival = takeRivalOut(row);
         if (rival != NeutralRows.NONE) {
@@ -130,17 +135,17 @@ final class ActiveRows {
         elimination.put(row, true);
     }
 
-    /** Takes a row with bounds into the set; whatever a rival of it carries it goes on carrying. */
+    /** Adds a row to the set; its rival leaves the set and keeps its impulse. */
     void letIn(int row) {
         takeRivalOut(row);
         elimination.put(row, true);
     }
 
     /**
-     * Takes the row of a joint out of the set that is along the same coordinate as another of its
-     * rows; which one that is. A limit and a brake that both hold ask for one speed each: their
-     * difference, however small, drove them against each other by 10¹² N·s. Rows that are kept near
-     * what they carried share what there is to carry.
+     * Removes the row's rival from the set and returns it: another row of its joint along the same
+     * coordinate. A limit and a brake that are both in the set ask for two speeds; the least
+     * difference drove them against each other by 10¹² N·s. Rows that are kept near their last
+     * impulses share the load instead.
      */
     private int takeRivalOut(int row) {
         int joint = areNear ? NeutralRows.NONE : rows.joint[row];
@@ -159,7 +164,7 @@ final class ActiveRows {
         return NeutralRows.NONE;
     }
 
-    /** Takes a row out of the set that is beyond its bounds, or into it. */
+    /** Moves a row from the set to the bound that it exceeds, or into the set. */
     void exchange(int row) {
         if (elimination.isIn(row)) {
             leave(row, rows.impulse[row] > rows.upper[row] ? 1 : -1);
@@ -183,20 +188,24 @@ final class ActiveRows {
         }
     }
 
-    /** The impulse within a row's bounds that is nearest to one, N·s. */
+    /** An impulse clamped to a row's bounds, N·s. */
     private double within(int row, double impulse) {
         return Math.max(rows.lower[row], Math.min(rows.upper[row], impulse));
     }
 
     /**
-     * What a row is due to carry by its bounds: outside the set the bound, in it what is within.
+     * The impulse that a row must have by its bounds: outside the set the bound, inside it the
+     * clamped impulse.
      */
     double due(int row) {
         double bound = side[row] > 0 ? rows.upper[row] : rows.lower[row];
         return elimination.isIn(row) ? within(row, rows.impulse[row]) : bound;
     }
 
-    /** By how much, in m/s, a row that follows loads is off what it is due to carry. */
+    /**
+     * How far a row whose bounds depend on a load or a twin is from the impulse that it must have,
+     * as a speed in m/s.
+     */
     double lag(int row) {
         boolean follows = rows.load[row] != NeutralRows.NONE || rows.twin[row] != NeutralRows.NONE;
         double change = follows ? due(row) - rows.impulse[row] : 0;

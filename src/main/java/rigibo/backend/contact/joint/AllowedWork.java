@@ -2,21 +2,24 @@ package rigibo.backend.contact.joint;
 
 import rigibo.backend.contact.row.Motions;
 
-/** How much work an island's solver may appear to do in rows that can do none. */
+/** Limits on the work that impulses may seem to do in rows that can do none. */
 final class AllowedWork {
 
-    /** Most work of equations in a kick whose places are held, as a share of the energy. */
+    /**
+     * Largest work of equations in a kick after which places are held, as a share of the energy.
+     */
     private static final double MOST_OF_TURNING = 0.1;
 
-    /** Most such work where contacts carry as well, as a share of the energy. */
+    /** Largest such work if contacts carry load as well, as a share of the energy. */
     private static final double LITTLE = 1e-2;
 
     /**
-     * Most such work if Newton's method does not reach the places, which turning does not explain.
+     * Largest such work if Newton's method misses the places, as a share of the energy. The turning
+     * of rows explains no more.
      */
     private static final double MOST_IF_MISSED = 1e-4;
 
-    /** Most work of brakes that are not solved, as a share of the energy. */
+    /** Largest work of brakes that are not solved, as a share of the energy. */
     private static final double MOST_OF_BRAKES = 0.1;
 
     private final Motions motions;
@@ -28,8 +31,10 @@ final class AllowedWork {
     }
 
     /**
-     * Whether rows did more work than turning takes and gives in a kick, with their places held or
-     * missed; {@code noise} is an energy in J that does not count.
+     * Whether rows did more work in a kick than their turning explains.
+     *
+     * @param areHeld whether places are held at the end of the drift
+     * @param noise energy that does not count, J
      */
     boolean isExceeded(boolean areHeld, double noise) {
         double share = areHeld ? MOST_OF_TURNING : MOST_IF_MISSED;
@@ -37,8 +42,8 @@ final class AllowedWork {
     }
 
     /**
-     * Whether contacts did no work but round-off. Joints may do a little: what turns in the drift
-     * after a kick takes it back in the next one.
+     * Whether the work of contacts is round-off. Joints may do a little work: rows that turn in the
+     * drift after a kick take it back in the next kick.
      */
     boolean isNone() {
         boolean isLittle = work.sum() <= LITTLE * energy();
@@ -47,8 +52,8 @@ final class AllowedWork {
     }
 
     /**
-     * Whether bodies gained energy that no row gave them or, where rows are not solved, much that
-     * brakes gave them.
+     * Whether bodies gained energy that no row gave them; if rows are not solved, also whether
+     * brakes added much energy.
      */
     boolean isAnyDriven(boolean isSolved) {
         boolean areBraked = isSolved || work.sumOfBrakes() <= MOST_OF_BRAKES * energy();

@@ -54,7 +54,7 @@ final class AssemblyTree {
 
     int[] equationStart = new int[17];
 
-    /** Sum of the squares of the numbers of equations of all assemblies. */
+    /** Sum of size² over all assemblies, where the size is the number of equations. */
     long room;
 
     /**
@@ -75,8 +75,8 @@ final class AssemblyTree {
     private int[] spread = new int[64];
 
     /**
-     * By assembly: the number of equations shared with the one that looks for a neighbour, and
-     * which one looked last.
+     * By assembly: the number of equations that it shares with the assembly that last looked for a
+     * neighbour; and that assembly.
      */
     private int[] shared = new int[32];
 
@@ -265,7 +265,7 @@ final class AssemblyTree {
                 if (other == NONE) {
                     alive[aliveCount++] = assembly;
                 } else {
-                    // Places up to here have been read: what is made is listed behind them.
+                    // Only entries up to i are overwritten, and these have been read.
                     unite(assembly, other, round);
                     isAny = true;
                 }
@@ -309,7 +309,7 @@ final class AssemblyTree {
         whole[b] = made;
         room(border(a) + border(b));
         int at = start[made];
-        // What both have: it is of one assembly fewer from now on.
+        // Equations in both borders: each is now in one assembly fewer.
         for (int i = start[a] + own[a]; i < start[a + 1]; i++) {
             takenBy[equation[i]] = made;
         }

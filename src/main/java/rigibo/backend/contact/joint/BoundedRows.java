@@ -5,9 +5,9 @@ import java.util.BitSet;
 
 /**
  * The rows with bounds in an island whose equations are eliminated: limits, motors, and springs
- * whose force is known. A row within its bounds holds like an equation; a row at a bound is solved
- * in passes (projected Gauss–Seidel), as is one that leaves its bounds; from the next kick on it
- * holds again if what it carries is within them.
+ * whose force is known. A row within its bounds holds like an equation. A row at a bound, or one
+ * that leaves its bounds, is solved in passes (projected Gauss–Seidel). It holds again from the
+ * next kick on if its impulse is within the bounds.
  */
 final class BoundedRows {
 
@@ -27,7 +27,7 @@ final class BoundedRows {
     private final Responses responses;
     private final RowMargins margins;
 
-    /** All rows with bounds; and by row whether it holds. */
+    /** All rows with bounds; and by row, whether it holds. */
     private int[] bounded = new int[64];
 
     private int count;
@@ -37,10 +37,10 @@ final class BoundedRows {
     /** Share of the last kick's impulses with which joints start. */
     private double share;
 
-    /** Rows that passes may change: those that do not hold and may carry anything. */
+    /** Rows that passes may change: those that do not hold and whose impulse is not fixed. */
     private final BitSet open = new BitSet();
 
-    /** How many do not hold. */
+    /** Number of rows with bounds that do not hold. */
     private int released;
 
     /** Rows that the last pass changed, and rows with a search direction. */
@@ -64,7 +64,7 @@ final class BoundedRows {
     private long solves;
     private long asked;
 
-    /** The row that sank in when it was asked last. */
+    /** The row that was last tested for sinking in. */
     private int sunk;
 
     BoundedRows(
@@ -83,12 +83,12 @@ final class BoundedRows {
         this.equations = equations;
     }
 
-    /** Rows that passes went over since they began. */
+    /** Number of rows that passes visited since {@link #beginPasses}. */
     long asked() {
         return asked;
     }
 
-    /** Rows solved since it was asked for last. */
+    /** Number of row solutions since the last call. */
     long takeSolves() {
         long sum = solves;
         solves = 0;
@@ -153,12 +153,12 @@ final class BoundedRows {
         return impulse > upper ? upper : impulse < lower ? lower : impulse;
     }
 
-    /** Whether there are any. */
+    /** Whether any row has bounds. */
     boolean areAny() {
         return count > 0;
     }
 
-    /** Lists contacts as well, whose rows have been written meanwhile. */
+    /** Adds the rows of contacts, which have been written since {@link #begin}. */
     void addContacts() {
         if (holds.length < rows.count) {
             holds = Arrays.copyOf(holds, rows.bodies.length);
@@ -216,14 +216,14 @@ final class BoundedRows {
         }
     }
 
-    /** Begins with passes. */
+    /** Begins passes of a kick. */
     void beginPasses() {
         asked = 0;
         sunk = jointRows;
         beginWay();
     }
 
-    /** Begins with passes from velocities and bounds that were just taken. */
+    /** Begins passes from velocities and bounds that were just taken. */
     void beginAnew() {
         margins.begin();
         changed.clear();
@@ -248,10 +248,10 @@ final class BoundedRows {
     }
 
     /**
-     * Makes one pass over the rows that do not hold, or over those that the last one changed.
+     * Makes one pass over all rows that do not hold, or only over those that the last pass changed.
      *
-     * @param least change of a row's speed that is worth making, m/s
-     * @return the largest one that was made, m/s
+     * @param least smallest change of a row's speed that is made, m/s
+     * @return the largest change made, m/s
      */
     double pass(boolean isBack, boolean areAll, double least) {
         square = 0;
@@ -277,14 +277,14 @@ final class BoundedRows {
         return most;
     }
 
-    /** Changes a row's impulse if that is worth it; returns by how much its speed, m/s. */
+    /** Solves a row unless its change would be too small; returns the change of its speed, m/s. */
     private double ask(int row, double least) {
         double change = margins.isIdle(row) ? 0 : change(row, least);
         changed.set(row, change != 0);
         return change == 0 ? 0 : make(row, change);
     }
 
-    /** By how much a row's impulse is to change; 0 if that is not worth it. */
+    /** Change of impulse that solves a row; 0 if it is too small to be made. */
     private double change(int row, double least) {
         double residual = responses.residual(row);
         margins.note(row, residual);
@@ -301,7 +301,7 @@ final class BoundedRows {
         return isWorth || !isWithin ? change : 0;
     }
 
-    /** Changes a row's impulse; returns by how much that changes the row's speed, m/s. */
+    /** Changes a row's impulse; returns the change of the row's speed, m/s. */
     private double make(int row, double change) {
         solves++;
         rows.impulse[row] += change;
@@ -312,9 +312,9 @@ final class BoundedRows {
         return rows.inMetres(row, change) * own;
     }
 
-    /** Whether a contact's point sinks in by more than a number of widths in h seconds. */
+    /** Whether any contact point would sink in by more than {@code most} widths in h seconds. */
     boolean areSinking(double h, double most) {
-        // What sank in before the last pass mostly does so after it.
+        // A point that sank in before the last pass mostly still does.
         boolean isSinking = sunk < rows.count && isSinking(sunk, h, most);
         for (int row = jointRows; !isSinking && row < rows.count; row++) {
             isSinking = isSinking(row, h, most);
@@ -330,8 +330,8 @@ final class BoundedRows {
     }
 
     /**
-     * Frees rows that hold beyond their bounds. Marks the groups concerned; returns whether there
-     * were any.
+     * Releases rows that hold with an impulse beyond their bounds, and marks their groups. Returns
+     * whether there were any.
      */
     boolean leave(AssemblyTree tree, boolean[] isOther) {
         boolean isAny = false;
@@ -360,8 +360,11 @@ final class BoundedRows {
     }
 
     /**
-     * Moves bodies back that are visibly beyond limits, by at most a given distance; both are
-     * shares of the joints' sizes.
+     * Moves bodies back that are visibly beyond limits.
+     *
+     * @param most largest distance, as a share of the joint's size
+     * @param seen largest distance that counts as invisible, likewise
+     * @return whether any body was moved
      */
     boolean correct(double most, double seen) {
         boolean isAny = false;

@@ -103,7 +103,7 @@ final class ComposedSubsteps {
         return rate;
     }
 
-    /** The fastest turning of a body, rad/s. */
+    /** The fastest spin of a body, rad/s. */
     private double turning() {
         double most = 0;
         for (int entry = 1; entry < motions.count; entry++) {

@@ -22,8 +22,9 @@ import rigibo.backend.storage.KeptOverlap;
 final class ContactRows {
 
     /**
-     * Speed that the load of a contact would give its bodies if they were free, as a multiple of
-     * what moves bodies, from which on it is a stress between rows that contradict each other.
+     * Largest load of a contact that motion explains: the speed that it would give its bodies if
+     * they were free, as a multiple of the fastest motion or drive. A larger load is stress between
+     * rows that contradict each other.
      */
     private static final double STRAINED = 1e4;
 
@@ -40,10 +41,10 @@ final class ContactRows {
     }
 
     /**
-     * Adds them likewise for a kick after which nothing drifts, as if h seconds were left. A point
-     * that carried a load carries on if its gap is no larger than an overlap that is kept: it has
-     * come to it in the drift, but for round-off and for what was taken back by moving, and over no
-     * time any gap lets bodies fall freely.
+     * Adds rows for a kick after which nothing drifts, as if h seconds were left. A point that
+     * carried a load stays loaded if its gap is no larger than an overlap that is kept: the drift
+     * has closed it but for round-off and for removed overlap. Otherwise any gap would let bodies
+     * fall freely, since no time is left to close it.
      */
     void writeAtRest(double h, int substep) {
         int first = rows.count;
@@ -82,7 +83,7 @@ final class ContactRows {
             rows.give[row] = d[at + GIVE];
             rows.lower[row] = 0;
             if (contacts.isOutOfReach(contact)) {
-                // It is watched, but a target made of its gap would drown what others aim at.
+                // It is watched, but a target from its gap would swamp the targets of other rows.
                 rows.target[row] = 0;
                 rows.upper[row] = 0;
             } else if (states.ofContact(contact, point) == RowStates.OPEN) {
@@ -108,8 +109,8 @@ final class ContactRows {
     }
 
     /**
-     * Whether any contact carries more than what moves bodies explains: the speed of the fastest
-     * one, m/s, springs and motors.
+     * Whether any contact carries more than motion explains: the fastest body at {@code fastest}
+     * m/s, springs and motors.
      */
     boolean areStrained(double fastest) {
         double most = STRAINED * Math.max(fastest, strongestDrive());
@@ -159,12 +160,12 @@ final class ContactRows {
         }
     }
 
-    /** Whether there are contacts at all. */
+    /** Whether the island has contacts. */
     boolean areAny() {
         return contacts.count > 0;
     }
 
-    /** Whether one of the contacts carries anything. */
+    /** Whether any contact carries an impulse. */
     boolean carry() {
         for (int row = 0; row < rows.count; row++) {
             if (rows.contact[row] != NeutralRows.NONE && rows.impulse[row] != 0) {

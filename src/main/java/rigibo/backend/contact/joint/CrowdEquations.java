@@ -4,27 +4,30 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.setup.Accuracy;
 
 /**
- * The equations of a crowd, group by group: what bodies of a group lack that joints hold together,
- * and the impulses that give it to them.
+ * The equations of a crowd, solved group by group: the residuals of a group of joined bodies, and
+ * the impulses that remove them.
  */
 final class CrowdEquations {
 
-    /** Newton's steps to where equations hold at the end of a drift. */
+    /** Most Newton steps towards impulses with which equations hold at the end of a drift. */
     private static final int MOST_STEPS = 3;
 
-    /** How far a place may be missed, as a share of the joint's arms and of the tolerance. */
+    /** Allowed error of a place, as a share of the joint's arms and of the tolerance. */
     private static final double MISSED_PLACE = 1e-2;
 
-    /** What an equation may lack, as a share of the strongest of its group and of the tolerance. */
+    /**
+     * Allowed residual of an equation, as a share of the largest speed that an equation's impulse
+     * gives in its group, and of the tolerance.
+     */
     private static final double SETTLED = 1e-2;
 
-    /** What a solution may lack before it is refined, as a share of that. */
+    /** Residual above which a solution is refined, as a share of the allowed one. */
     private static final double SOLVED = 1e-4;
 
-    /** Solutions that take back what the first one left, where bodies hardly move. */
+    /** Most refinements of a solution if bodies hardly moved before the kick. */
     private static final int REFINEMENTS = 2;
 
-    /** Energy that Newton's steps may add, as a share of that of motion. */
+    /** Energy that Newton's steps may add, as a share of the kinetic energy. */
     private static final double GAINED = 1e-4;
 
     private final Motions motions;
@@ -36,13 +39,16 @@ final class CrowdEquations {
     private final AssemblyTree tree;
     private final double tolerance;
 
-    /** Velocities before places are held, as the motions. */
+    /** Velocities before places are held, laid out as the motions. */
     private double[] before = new double[64];
 
-    /** What an equation may lack, as a share of the strongest of its group. */
+    /**
+     * Allowed residual of an equation, as a share of the largest speed that an equation's impulse
+     * gives in its group.
+     */
     private final double settled;
 
-    /** What it may lack in this kick; less if bodies of a large group hardly moved before it. */
+    /** That share in this kick: smaller if bodies of a large group hardly moved before it. */
     private double left;
 
     CrowdEquations(
@@ -63,22 +69,25 @@ final class CrowdEquations {
         settled = SETTLED * tolerance;
     }
 
-    /** How far the place of a joint may be missed, as a share of its arms. */
+    /** Allowed error of a joint's place, as a share of its arms. */
     double missedPlace() {
         return MISSED_PLACE * tolerance;
     }
 
-    /** Begins a kick in which equations may lack a share of the usual. */
+    /** Begins a kick in which residuals may be {@code finer} times the usual ones. */
     void begin(double finer) {
         left = finer * settled;
     }
 
-    /** Whether a group lacks more than counts; {@link #settle} gives it what it lacks. */
+    /** Whether the residual of a group is too large; {@link #settle} removes it. */
     boolean areOpen(int group) {
         return isBeyond(group, ask(group), left);
     }
 
-    /** Gives a group what it was asked for last, or finds all of its impulses anew. */
+    /**
+     * Solves a group for the residuals of the last {@link #ask}; if {@code anew}, starting from
+     * impulses of 0.
+     */
     void settle(int group, boolean anew) {
         if (anew) {
             takeBack(group);
@@ -92,8 +101,8 @@ final class CrowdEquations {
     }
 
     /**
-     * Whether a speed (m/s) is beyond a share of all speeds that impulses of a group's equations
-     * give their rows.
+     * Whether a speed in m/s exceeds a share of every speed that an equation's impulse gives its
+     * own row in a group.
      */
     private boolean isBeyond(int group, double speed, double share) {
         boolean isBeyond = speed > 0;
@@ -115,7 +124,7 @@ final class CrowdEquations {
         }
     }
 
-    /** Asks what holds in a group for what it lacks; the most, m/s. */
+    /** Asks for the removal of a group's residuals; returns the largest, m/s. */
     double ask(int group) {
         double most = 0;
         for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
@@ -139,7 +148,7 @@ final class CrowdEquations {
     }
 
     /**
-     * Holds the places of equations at the end of a drift of h seconds, in groups on which nothing
+     * Holds the places of equations at the end of a drift of h seconds, in groups that no contact
      * presses.
      */
     void holdPlaces(double h, boolean[] isPressed) {
@@ -162,12 +171,15 @@ final class CrowdEquations {
             }
         }
         if (motions.energy(motions.data) > (1 + GAINED) * energy) {
-            // Impulses are those of before but for what changes no body.
+            // Only velocities are restored; impulses, which differ little, start the next kick.
             System.arraycopy(before, 0, motions.data, 0, length);
         }
     }
 
-    /** Asks a group for what places would be missed by; the most, as a multiple of what may be. */
+    /**
+     * Asks for the changes of speed that close a group's places; returns the largest error, as a
+     * multiple of the allowed one.
+     */
     private double askPlaces(int group, double h) {
         double worst = 0;
         for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {

@@ -1,18 +1,24 @@
 package rigibo.backend.contact.joint;
 
 /**
- * Takes back what the joints of a crowd are off their places, by moving bodies: limits first, then
- * equations, which hold in the end. A chain that is free at one end is closed by moving no body
- * farther than all of its joints are off together. A bridge as long as its span asks for far more,
- * for n hinges that are off by e let its middle leave the line by √(L·n·e/2); what lies on it would
- * be passed by in a single substep.
+ * Removes the position errors of a crowd's joints by moving bodies: limits first, then equations,
+ * which hold in the end. A chain that is free at one end closes without moving any body farther
+ * than the sum of all errors. A bridge as long as its span would ask for far more: n hinges that
+ * are off by e let its middle leave the line by √(L·n·e/2), and in a single substep it would pass
+ * through what lies on it.
  */
 final class CrowdPlaces {
 
-    /** How many times as far as equations are off together outlines may go, since bodies turn. */
+    /**
+     * Largest displacement of an outline, as a multiple of the sum of the equations' errors. It is
+     * above 1 since bodies turn.
+     */
     private static final double FEW = 4;
 
-    /** Compliances of equations that ask for too much, as shares of their responses. */
+    /**
+     * Compliances of equations that ask for too large displacements, as shares of their responses:
+     * the first, the factor to the next, and the last.
+     */
     private static final double LEAST_GIVE = 1e-6;
 
     private static final double MORE_GIVE = 100;
@@ -26,13 +32,13 @@ final class CrowdPlaces {
     private final BoundedRows bounded;
     private final Responses responses;
 
-    /** What does not count as off, as a share of the joint's size. */
+    /** Error that does not count, as a share of the joint's size. */
     private final double seen;
 
-    /** By row: its compliance before equations give way. */
+    /** By row: its own compliance, while equations give way. */
     private double[] give = new double[64];
 
-    /** What the equations of the group that was asked last are off together, m. */
+    /** Sum of the errors of the group that was asked last, m. */
     private double asked;
 
     CrowdPlaces(
@@ -127,8 +133,8 @@ final class CrowdPlaces {
     }
 
     /**
-     * Asks a group to move back by what it is off its places, by so much at most; answers the most,
-     * both as shares of the joints' sizes.
+     * Asks for the removal of a group's errors, each by at most a share of its joint's size;
+     * returns the largest such error, as a share likewise.
      */
     private double ask(int group, double most) {
         double farthest = 0;

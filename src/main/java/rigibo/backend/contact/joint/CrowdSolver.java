@@ -9,49 +9,54 @@ import rigibo.backend.storage.DataStorage;
 import java.util.Arrays;
 
 /**
- * Solves islands of many joints and contacts. Their equations are eliminated all at once, which
- * takes little along an {@link AssemblyTree}; contacts, limits and motors are passed over, and
- * after each pass the equations hold again. So joints are exact at any load, and only what has
- * bounds is as near as passes bring it.
+ * Solves islands of many joints and contacts. All equations are eliminated together, which is cheap
+ * along an {@link AssemblyTree}. Contacts, limits and motors are solved in passes, and equations
+ * hold again after each pass. So joints are exact under any load, and only rows with bounds are
+ * approximate.
  */
 final class CrowdSolver {
 
-    /**
-     * Passes in a usual substep, whatever they cost; the next one begins with what they came to.
-     */
+    /** Passes in a usual substep at any cost; the next substep starts from their result. */
     private static final int USUAL_PASSES = 24;
 
     /**
-     * Passes in a usual substep at most. With 24, heaps of a hundred ragdolls left bodies in each
-     * other by a quarter of their width, and threw them.
+     * Most passes in a usual substep. With 24, bodies in heaps of a hundred ragdolls overlapped by
+     * a quarter of their width and were thrown.
      */
     private static final int MOST_PASSES = 96;
 
-    /** Rows asked in a substep before more than the usual passes end: bounds the slowest step. */
+    /**
+     * Row visits in a substep after which no more than the usual passes are made. It limits the
+     * slowest step.
+     */
     private static final int MOST_ASKED = 400_000;
 
-    /** Passes before what holds is found anew. */
+    /** Passes after which equations are solved and rows exchanged again. */
     private static final int PASSES = 16;
 
     /**
-     * Share of the fastest speed below which a change does not count, after a kick and before it. A
-     * crowd at rest has only what the kick gave it, and would otherwise creep. Both are smaller if
-     * substeps are longer than the game's, since a kick adds more in them.
+     * Change of speed that does not count, as a share of the fastest speed after a kick and of that
+     * before it. A crowd at rest has only the speed of the kick, and would creep with the larger
+     * share. Both shares are smaller if substeps are longer than those of GAME, since their kicks
+     * are larger.
      */
     private static final double QUIET = 0.003;
 
     private static final double QUIET_IN_MOTION = 0.03;
 
-    /** Every how many passes rows are asked that did not change before. */
+    /** Interval in passes at which rows are visited that the last pass did not change. */
     private static final int ALL = 3;
 
-    /** Share of that below which a row is left as it is. */
+    /** Share of the change that does not count below which a row is not changed. */
     private static final double LEFT = 0.1;
 
-    /** Factor on what may be missed by which a contact may sink in before further passes follow. */
+    /**
+     * Depth by which a contact may sink in before further passes follow, as a multiple of the width
+     * that may be missed.
+     */
     private static final double SUNK = 6;
 
-    /** Energy that may be gained, as a share of that of motion. */
+    /** Energy that may be gained, as a share of the kinetic energy. */
     private static final double GAINED = 1e-4;
 
     private final Motions motions;
@@ -66,13 +71,13 @@ final class CrowdSolver {
     private final CrowdPlaces places;
     private final CrowdOverlap overlap;
 
-    /** By group whether other equations hold in it. */
+    /** By group: whether other equations hold in it than before. */
     private boolean[] isOther = new boolean[16];
 
-    /** By group whether a contact presses on one of its bodies. */
+    /** By group: whether a contact presses on one of its bodies. */
     private boolean[] isPressed = new boolean[16];
 
-    /** Velocities before a kick's impulses, as the motions. */
+    /** Velocities before a kick's impulses, laid out as the motions. */
     private double[] free = new double[64];
 
     /** By row: its speed before impulses, m/s. */
@@ -116,17 +121,17 @@ final class CrowdSolver {
         overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
     }
 
-    /** Multiplications made since it was asked for last. */
+    /** Number of multiplications since the last call. */
     double takeWork() {
         return factor.takeWork();
     }
 
-    /** Rows solved since it was asked for last. */
+    /** Number of row solutions since the last call. */
     long takeSolves() {
         return bounded.takeSolves();
     }
 
-    /** Begins an island that is given fewer, longer substeps, each of which stands for several. */
+    /** Begins an island. If it has fewer substeps than usual, each gets the passes of several. */
     void beginIsland(int usual, int substeps) {
         int times = Math.max(1, usual / substeps);
         usualPasses = times * USUAL_PASSES;
@@ -135,8 +140,8 @@ final class CrowdSolver {
     }
 
     /**
-     * Begins with rows that were just written for a part of h seconds; joints give a share of what
-     * they carried in the kick before.
+     * Begins with rows that were just written for a part of h seconds; joints start with a share of
+     * their impulses in the last kick.
      */
     void begin(double h, double share) {
         if (freeSpeed.length < rows.count) {
@@ -148,7 +153,7 @@ final class CrowdSolver {
         places.correct(h);
     }
 
-    /** Notes how bodies move after a kick and before any impulse. */
+    /** Stores velocities after a kick and before any impulse. */
     void takeFree() {
         int length = motions.count * Motions.STRIDE;
         if (free.length < length) {
@@ -166,12 +171,12 @@ final class CrowdSolver {
     }
 
     /**
-     * Solves for a substep of h seconds; contacts begin with what they carried before.
+     * Solves a substep of h seconds; contacts start with their last impulses.
      *
      * @param before speed of the fastest body before the kick, m/s
      * @param fastest speed of the fastest body after it, m/s
      * @param noise energy that may be gained, J
-     * @param finer share of the usual that equations of large groups may lack
+     * @param finer share of the usual residual that equations of large groups may have
      */
     void solve(double h, int substep, double before, double fastest, double noise, double finer) {
         double quiet = shorter * Math.max(QUIET * fastest, QUIET_IN_MOTION * before);
@@ -194,13 +199,13 @@ final class CrowdSolver {
         contactRows.store();
     }
 
-    /** Whether a row may do work: of a spring, or of a motor that does not only brake. */
+    /** Whether a row may do work: a spring, or a motor that does not only brake. */
     private boolean drives(int row) {
         boolean isBrake = rows.target[row] == 0 && rows.lower[row] < rows.upper[row];
         return rows.joint[row] != NeutralRows.NONE && !rows.holdsPlace[row] && !isBrake;
     }
 
-    /** J that was gained by other impulses than those that may do work. */
+    /** Energy gained by impulses that can do no work, J. */
     private double gained() {
         double sum = motions.energy(motions.data) - freeEnergy;
         for (int row = 0; row < rows.count; row++) {
@@ -211,7 +216,7 @@ final class CrowdSolver {
         return sum;
     }
 
-    /** Begins with what joints carried in the kick before. */
+    /** Sets the impulses of joints to those of the last kick. */
     private void warm() {
         bounded.warm();
         for (int e = 0; e < equations.count; e++) {
@@ -223,8 +228,8 @@ final class CrowdSolver {
     }
 
     /**
-     * Lets passes and exchanges follow each other until no speed changes by more than {@code quiet}
-     * m/s, and nothing sinks in too far in h seconds.
+     * Alternates passes and exchanges until no speed changes by more than {@code quiet} m/s and no
+     * contact would sink in too far in h seconds.
      */
     private void run(double quiet, double h, boolean mayExchange) {
         int passes = responses.areAnyLarge() ? 1 : PASSES;
@@ -238,13 +243,13 @@ final class CrowdSolver {
             isOpen = !pass(pass, passes, quiet, h);
             settle(false);
             if (mayExchange && pass + passes < mostPasses) {
-                // After the last pass nothing would answer what others hold from then on.
+                // After the last pass, no pass could answer to other equations.
                 isOpen |= exchange();
             }
         }
     }
 
-    /** Whether more energy was gained than may be: noise, J, and a share of the motion's. */
+    /** Whether more energy was gained than {@code noise}, J, and a share of the kinetic energy. */
     private boolean isGained(double noise) {
         return !motions.isAnyDriven && !(gained() <= noise + GAINED * freeEnergy);
     }
@@ -253,7 +258,7 @@ final class CrowdSolver {
         return pass < usualPasses || pass < mostPasses && bounded.asked() < MOST_ASKED;
     }
 
-    /** Makes so many passes, or fewer if they come to their end; returns whether they did. */
+    /** Makes a number of passes, or fewer if they converge; returns whether they did. */
     private boolean pass(int first, int passes, double quiet, double h) {
         boolean isDone = false;
         for (int i = 0; i < passes && !isDone; i++) {
@@ -285,8 +290,8 @@ final class CrowdSolver {
     }
 
     /**
-     * Finds what holds, and how bodies move, from all impulses of rows at bounds; anew, so that
-     * nothing is left of impulses that change no body, or from what was found before.
+     * Computes velocities from all impulses, then solves equations. If {@code anew}, equations
+     * start from impulses of 0, so that nothing remains of impulses that change no velocity.
      */
     private void settle(boolean anew) {
         System.arraycopy(free, 0, motions.data, 0, motions.count * Motions.STRIDE);
@@ -303,10 +308,10 @@ final class CrowdSolver {
     }
 
     /**
-     * Holds the places of equations at the end of a drift of h seconds, but where bodies are
-     * pressed on: contacts are not asked again, so that the tension of a rope, say, would draw it
-     * into the pulley that it runs over. At EXACT, whose substeps are short, the energy that this
-     * keeps counts for more.
+     * Holds the places of equations at the end of a drift of h seconds, except in groups that
+     * contacts press. Contacts are not solved again, so that the tension of a rope would pull it
+     * into the pulley it runs over. At EXACT, pressed groups are held as well: substeps are short
+     * there, and the energy that this keeps counts for more.
      */
     void holdPlaces(double h) {
         Arrays.fill(isPressed, 0, tree.groups, false);
@@ -328,7 +333,7 @@ final class CrowdSolver {
         }
     }
 
-    /** Takes overlap back after a drift of h seconds. */
+    /** Removes overlap after a drift of h seconds. */
     void correctOverlap(double h) {
         overlap.correct(h);
     }

@@ -12,7 +12,7 @@ import rigibo.backend.geometry.Exponential;
  */
 final class DampedSwing {
 
-    /** Share of the drift after up to which one before is round-off. */
+    /** Length of the drift before, as a share of the drift after, up to which it counts as 0. */
     private static final double INSTANT = 1e-5;
 
     /** λ in 1/s, and ω² − λ² in 1/s². */
@@ -20,7 +20,7 @@ final class DampedSwing {
 
     private double square;
 
-    /** A and B in s at the time that was asked for last. */
+    /** A, and B in s, at the time computed last. */
     private double a;
 
     private double b;
@@ -28,7 +28,7 @@ final class DampedSwing {
     /** Share of the velocity that a kick keeps. */
     double kept;
 
-    /** What it takes of the velocity for each unit of displacement, 1/s. */
+    /** Velocity that a kick takes per unit of displacement, 1/s. */
     double pulled;
 
     /**
@@ -36,13 +36,15 @@ final class DampedSwing {
      *
      * @param frequencySquare ω² in 1/s²
      * @param decayRate λ in 1/s
-     * @param before length of the drift before, s; 0 at a start, where velocities are of now
-     * @param after length of the drift after, s; 0 at an end, where they are to be of then
+     * @param before length of the drift before, s; 0 at the start, where velocities are the present
+     *     ones
+     * @param after length of the drift after, s; 0 at the end, where velocities are to be the
+     *     present ones
      */
     void between(double frequencySquare, double decayRate, double before, double after) {
         decay = decayRate;
         square = frequencySquare - decayRate * decayRate;
-        // First from the drift before to the velocity of now, and from there to the next drift.
+        // First from the drift before to the present velocity, then on to the drift after.
         kept = 1;
         pulled = 0;
         if (Math.abs(before) > INSTANT * Math.abs(after)) {

@@ -49,7 +49,7 @@ final class EquationFactor {
     /** Whether equations have changed slightly since they were factored. */
     private boolean isStale;
 
-    /** Multiplications made since it was asked for last. */
+    /** Number of multiplications since the last call. */
     private double work;
 
     EquationFactor(Motions motions, NeutralRows rows) {
@@ -60,7 +60,7 @@ final class EquationFactor {
         factored = new FactoredRows(motions, rows, equations, tree);
     }
 
-    /** Multiplications made since it was asked for last. */
+    /** Number of multiplications since the last call. */
     double takeWork() {
         double sum = work;
         work = 0;
@@ -267,8 +267,7 @@ final class EquationFactor {
     private double inverse(int e, double without) {
         int row = equations.row[e];
         if (row == EquationList.NONE) {
-            // Copies of a body that turns nothing, or weighs without bounds, are welded for
-            // nothing.
+            // Copies of a body of unlimited mass or inertia need no weld.
             return equations.isWeld(e) && without > 0 ? 1 / without : 0;
         }
         double pivot = without + NeutralRows.REGULAR * rows.response[row] + rows.give[row];

@@ -5,14 +5,13 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 
 /**
- * The rows of an island that are equations, numbered, and which bodies are in which of them. Only
- * bodies that impulses move count. Rows of a joint with bounds, one after the other, share the
- * place of one equation, which stands for one of them or for none: so what holds may change without
- * another order of elimination.
+ * The equations of an island, numbered, and the bodies of each. Only bodies that impulses can move
+ * are listed. Successive rows with bounds of one joint share an equation, which stands for one of
+ * them or for none. So the set of rows that hold may change without a new order of elimination.
  *
- * <p>A body of very many equations would couple them all, and its part of the factor would take the
- * square of their number. So it is listed as several copies, each with its share of mass and of the
- * equations, one welded to the next by three equations that no row stands for.
+ * <p>A body of very many equations would couple them all, and its part of the factor would grow
+ * with the square of their number. So it is listed as several copies, each with its share of the
+ * mass and of the equations. Three equations without rows weld each copy to the next.
  */
 final class EquationList {
 
@@ -34,8 +33,8 @@ final class EquationList {
     int bodyCount;
 
     /**
-     * By equation its row, or {@link #NONE} where none of its rows holds. What is by equation is
-     * made with the first list: how long it has to be follows from the rows' room.
+     * By equation: its row, or {@link #NONE} if none of its rows holds. Arrays by equation are
+     * sized with the first list, by the capacity of the rows.
      */
     int[] row = {};
 
@@ -145,12 +144,12 @@ final class EquationList {
                 || motions.data[offset + Motions.INVERSE_INERTIA] > 0;
     }
 
-    /** Makes room; returns whether the last list is lost by that. */
+    /** Grows arrays if needed; returns whether the last list is lost by that. */
     private boolean reserve() {
         int rowCount = rows.bodies.length;
         int most = motions.count + mostCopies(rowCount);
         boolean areRowsShort = row.length < rowCount;
-        // More rows of any kind ask for room for more copies, though the equations stay the same.
+        // More rows of any kind allow for more copies, even if the equations stay the same.
         boolean areBodiesShort = entry.length < most;
         if (areRowsShort) {
             int welds = WELDS * mostCopies(rowCount);
@@ -291,7 +290,7 @@ final class EquationList {
         }
     }
 
-    /** The body of an entry of the motions, or {@link #NONE}: it is in no equation. */
+    /** The body of an entry of the motions, or {@link #NONE} if it is in no equation. */
     int bodyOfEntry(int of) {
         return bodyOfEntry[of];
     }

@@ -3,27 +3,29 @@ package rigibo.backend.contact.joint;
 import rigibo.backend.contact.row.Motions;
 
 /**
- * Finds the impulses with which what joints hold is held at the end of a drift, where rows have
- * turned: Newton's method, with the matrix of the drift's start as long as that gains digits, else
- * with that of its end. Where contacts carry, too, they may be next to contradicting the joints;
- * then no more is asked than what does not make bodies faster, and errors are taken back by moving.
+ * Finds the impulses with which joints hold their places at the end of a drift, where rows have
+ * turned. It uses Newton's method, with the matrix at the start of the drift as long as that
+ * converges fast, then with the matrix at its end. Loaded contacts may nearly contradict joints.
+ * Impulses that would make such bodies faster are discarded, and {@link PlaceRecovery} removes the
+ * errors by moving bodies.
  */
 final class HeldPlaces {
 
     private static final int MOST_STEPS = 12;
 
-    /** Steps of Newton's method in islands that are not small, where contacts carry, too. */
+    /** Most Newton steps in islands that are not small and whose contacts carry load. */
     private static final int FEW_STEPS = 4;
 
-    /** Share of its energy that an island may gain in them. */
+    /** Share of its energy that such an island may gain. */
     private static final double GAINED = 1e-4;
 
     /**
-     * Share that a small island may gain whose places are held: turning takes and gives in turn.
+     * Share that a small island may gain if its places are held: rows that turn take and give
+     * energy in turn.
      */
     private static final double GAINED_AT_MOST = 1e-2;
 
-    /** What a step may leave of the error for the next one to be made alike. */
+    /** Share of the error that a step may leave for the next step to use the same matrix. */
     private static final double GAINS = 0.2;
 
     private final Motions motions;
@@ -38,16 +40,16 @@ final class HeldPlaces {
     private final RowMemory memory;
     private final double tolerance;
 
-    /** Whether the matrix of the end is wanted in the island that is solved. */
+    /** Whether the present island needs the matrix at the end of the drift. */
     private boolean isForeseen;
 
-    /** Whether that matrix is factored for the set as it is. */
+    /** Whether that matrix is factored for the present set. */
     private boolean isFactored;
 
-    /** By row: how fast its place is to change besides, m/s. */
+    /** By row: the change of speed that closes its place, m/s. */
     private double[] wanted = new double[64];
 
-    /** The most by which a place is missed, as a multiple of what it may be. */
+    /** Largest error of a place, as a multiple of the allowed one. */
     private double worst;
 
     HeldPlaces(
@@ -79,7 +81,10 @@ final class HeldPlaces {
         isForeseen = false;
     }
 
-    /** Holds the places in a drift of h seconds; velocities count as solved but for so many m/s. */
+    /**
+     * Holds the places in a drift of h seconds; velocities count as solved within {@code settled}
+     * m/s.
+     */
     void hold(double h, double settled, boolean areContacts, boolean isSmall) {
         double energy = motions.energy(motions.data);
         memory.keep();
@@ -102,7 +107,7 @@ final class HeldPlaces {
             step();
             if (areContacts) {
                 aimAtPresent();
-                // Other rows may be in the set from here on.
+                // The set may have changed.
                 solver.solveOn(settled);
                 isFactored = false;
             }
@@ -121,19 +126,22 @@ final class HeldPlaces {
         worst = 0;
     }
 
-    /** Goes back to what {@link #hold} began with, which does no work and misses the places. */
+    /**
+     * Restores the velocities that {@link #hold} began with, which do no work and miss the places.
+     */
     void release() {
         memory.recall();
     }
 
-    /** Whether they were held in the last drift, within what may be missed. */
+    /** Whether places are held in the last drift, within the allowed error. */
     boolean areHeld() {
         return worst <= 1;
     }
 
     /**
-     * Limits and ropes that would be passed at the end of the drift enter the set: one that goes
-     * along its stop, as a rope that is taut and turns, gives no reason to at the drift's start.
+     * Adds limits and ropes to the set that would be passed at the end of the drift. A body that
+     * moves along its stop, as on a taut rope that turns, does not approach it at the start of the
+     * drift.
      */
     private void letEnter() {
         for (int row = 0; row < rows.count; row++) {
@@ -149,7 +157,7 @@ final class HeldPlaces {
         elimination.factorize();
     }
 
-    /** By how much the place that was measured last may be missed, m. */
+    /** Allowed error of the place that was measured last, m. */
     private double allowed() {
         return JointSolver.MISSED * tolerance * jointRows.size() + jointRows.roundOff();
     }
@@ -175,7 +183,10 @@ final class HeldPlaces {
         }
     }
 
-    /** Asks what holds places for the speeds that it has, which hold them at the drift's end. */
+    /**
+     * Makes the present speeds of rows that hold places their targets, since these hold the places
+     * at the end of the drift.
+     */
     private void aimAtPresent() {
         for (int i = 0; i < elimination.size(); i++) {
             int row = elimination.row(i);
@@ -185,7 +196,7 @@ final class HeldPlaces {
         }
     }
 
-    /** Measures by how much places would be missed after a drift, and what changes that. */
+    /** Measures the errors of places after a drift, and the changes of speed that close them. */
     private void measure(double h) {
         if (wanted.length < rows.count) {
             wanted = new double[rows.bodies.length];

@@ -21,29 +21,30 @@ final class JointBudget {
     private static final double WORTH_IF_EXACT = 1e8;
 
     /**
-     * Eliminations of all rows that an island is worth in a substep, and of the largest size in a
-     * step; what takes more is left to passes. Newton's steps take some ten; what takes fifty tries
-     * sets of rows that contradict each other.
+     * Budget of an island in a substep, in eliminations of all of its rows; and largest budget in a
+     * step, in eliminations of the largest size. Islands that need more are left to passes.
+     * Newton's steps take some ten eliminations; an island that takes fifty tries sets of rows that
+     * contradict each other.
      */
     private static final double ELIMINATIONS = 64;
 
     private static final double LARGEST_ELIMINATIONS = 32;
 
     /**
-     * Multiplications in a step of the game that a small island is worth, whatever one elimination
-     * takes; with the square of the number of substeps where these are more.
+     * Least budget of a small island in a step of GAME, in multiplications. It grows with the
+     * square of the number of substeps.
      */
     private static final double LEAST_WORTH = 1e6;
 
     /**
-     * Rows solved in passes in a step, unless that leaves fewer than a number of passes to a
-     * substep.
+     * Most row solutions of passes in a step, and the number of passes in a substep that are made
+     * in any case.
      */
     private static final int SOLVES = 1_000_000;
 
     private static final int LEAST_PASSES = 8;
 
-    /** Passes over rows in a substep for each substep of a step. */
+    /** Most passes in a substep, for each substep of the accuracy. */
     private static final int PASSES_PER_SUBSTEP = 20;
 
     /** Most rows of an island that is eliminated although its contacts may open and close. */
@@ -124,7 +125,7 @@ final class JointBudget {
         return islands.pairStart[island + 1] - islands.pairStart[island];
     }
 
-    /** Begins an island whose rows are written, a crowd or not, for so many substeps of its own. */
+    /** Begins an island whose rows are written, for a number of substeps. */
     void begin(boolean areMany, int substepsOfIsland) {
         isSmall = rows.count <= FEW_ROWS;
         mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
@@ -158,17 +159,20 @@ final class JointBudget {
         return isWhole;
     }
 
-    /** Whether its impacts may be at their time, and its equations do work in a kick. */
+    /**
+     * Whether the island is small: its impacts are resolved at their time, and its equations may do
+     * work in a kick.
+     */
     boolean isSmall() {
         return isSmall;
     }
 
-    /** Impacts in a substep that are at their time. */
+    /** Most impacts in a substep that are resolved at their time. */
     int mostStrikes() {
         return mostStrikes;
     }
 
-    /** Passes over the island's rows in a substep. */
+    /** Most passes over the island's rows in a substep. */
     int mostPasses() {
         return mostPasses;
     }

@@ -198,8 +198,8 @@ public final class JointImpacts {
                     rebounds ? share * stops.elasticity(row) * Math.max(0, -before[row]) : 0;
         } else if (rows.joint[row] == NeutralRows.NONE
                 && rows.part[row] == PackedContacts.IMPULSE_T) {
-            // A row's surface speed foresees how outlines turn within a substep, which limitEnergy
-            // would take for the work of a belt.
+            // A row's surface speed anticipates how outlines turn within a substep, which
+            // limitEnergy would take for the work of a belt.
             rows.target[row] = contacts.running[rows.contact[row]];
         } else if (rows.joint[row] == NeutralRows.NONE
                 && rows.part[row] == PackedContacts.IMPULSE_R) {

@@ -74,7 +74,10 @@ final class JointRows {
         write(kickLength, driftLength, false);
     }
 
-    /** Writes them likewise; after the last kick of a substep with such a drift nothing drifts. */
+    /**
+     * Writes the rows likewise; if {@code isLast}, nothing drifts after the kick, which is the last
+     * of a substep with such a drift.
+     */
     void write(double kickLength, double driftLength, boolean isLast) {
         isAtOnce = false;
         writeAll(kickLength, driftLength, isLast);
@@ -396,7 +399,7 @@ final class JointRows {
                 - ratio * Math.sqrt(bx * bx + by * by);
     }
 
-    /** Discards what was measured, since poses have been taken anew. */
+    /** Discards measurements, since poses have been taken anew. */
     void measureAnew() {
         joint = NeutralRows.NONE;
     }

@@ -18,7 +18,7 @@ import rigibo.backend.storage.DataStorage;
  */
 public final class JointSolver {
 
-    /** How far a place may be missed, as a share of the joint's arms and of the tolerance. */
+    /** Allowed error of a place, as a share of the joint's arms and of the tolerance. */
     static final double MISSED = 1e-5;
 
     /** How far a place is off by round-off alone, as a share of the joint's arms. */
@@ -41,10 +41,10 @@ public final class JointSolver {
 
     private static final double HARDLY = 1e-3;
 
-    /** What stops are there, which of them are watched, and what happens when they are reached. */
+    /** The stops of the packed island. */
     private final Stops stops;
 
-    /** How many substeps islands need. */
+    /** The number of substeps that islands need. */
     public final JointSubsteps needed;
 
     public final Strikes strikes;
@@ -70,7 +70,7 @@ public final class JointSolver {
     /** Axes along which bodies are kept from moving, or null where none is locked. */
     public final LockedAxes locks;
 
-    /** What takes overlap back where bodies of an island are locked, or null likewise. */
+    /** What removes overlap in islands with locked axes, or null if none is locked. */
     public final RowOverlap lockedOverlap;
 
     private final int substeps;
@@ -80,18 +80,18 @@ public final class JointSolver {
     /** Whether the packed island has anything that only pushes. */
     private boolean haveStops;
 
-    /** Whether all rows are written where bodies are, without contacts: nothing has moved since. */
+    /** Whether the rows are written for the present poses, and the island has no contacts. */
     private boolean areWritten;
 
-    /** How long the last kick was, s, and the next one as a share of it. */
+    /** Length of the last kick, s, and length of the present one as a share of it. */
     private double kicked;
 
     private double share;
 
-    /** The fastest speed before the kick, m/s. */
+    /** The fastest speed before the present kick, m/s. */
     private double before;
 
-    /** The last kick when it was kept, s. */
+    /** Length of the last kick in the stored state, s. */
     private double keptKick;
 
     private final TautInertia inertia;
@@ -195,7 +195,7 @@ public final class JointSolver {
         stops.begin(h);
     }
 
-    /** Begins with the joints of an island whose bodies and contacts are packed. */
+    /** Packs the joints of an island whose bodies and contacts are packed, and writes its rows. */
     public void pack(int island, double firstKick, int substepsOfIsland) {
         boolean areMany = areCrowd(island, 2 * firstKick * substepsOfIsland);
         packed.pack(island, firstKick);
@@ -218,28 +218,28 @@ public final class JointSolver {
         kicked = firstKick;
     }
 
-    /** Multiplications that eliminations of the packed island took. */
+    /** Number of multiplications by eliminations of the packed island. */
     public double multiplications() {
         return elimination.work() + crowd.takeWork();
     }
 
-    /** Rows of the packed island that passes solved, each as often as they did. */
+    /** Number of row solutions by passes over the packed island. */
     public long rowSolves() {
         return passes.solves() + crowd.takeSolves();
     }
 
-    /** How the packed island is solved. */
+    /** The method that solves the packed island. */
     public SolveMethod method() {
         return budget.isWhole() ? SolveMethod.ELIMINATION : SolveMethod.PASSES;
     }
 
-    /** Whether the packed island is eliminated, not passed over. */
+    /** Whether the packed island is solved by elimination, not by passes. */
     public boolean isWhole() {
         return budget.isWhole() && !elimination.isSpent();
     }
 
     /**
-     * Whether the packed joints hold by equations, soft springs and stops alone in substeps of h
+     * Whether the packed joints are equations, soft springs and stops alone in substeps of h
      * seconds: no motor drives.
      */
     public boolean areHeldByEquations(double h) {
@@ -255,29 +255,32 @@ public final class JointSolver {
     }
 
     /**
-     * How many parts of a substep of the packed island may end early: as many as its size allows,
-     * none in a crowd, whose stops are solved as they are reached.
+     * Number of parts of a substep of the packed island that may end early at an impact. A large
+     * island has none: its stops are solved without their times.
      */
     public int mostStrikes() {
         return budget.mostStrikes();
     }
 
     /**
-     * Whether the packed island is so small that its impacts are at their time; then its contacts
-     * are followed from substep to substep as well.
+     * Whether the impacts of the packed island are resolved at their time. Its contacts are then
+     * followed from substep to substep as well.
      */
     public boolean areImpactsTimed() {
         return budget.isWhole() && budget.isSmall();
     }
 
-    /** Whether there is anything that only pushes: a limit, a rope, a contact. */
+    /** Whether the packed island has stops: limits, ropes or contacts. */
     public boolean haveStops() {
         return haveStops;
     }
 
     /**
-     * Looks for what strikes in a part of h seconds, before its kick; the last one was so many
-     * seconds long, and velocities are those of its middle or of now.
+     * Finds the stops that may be struck in a part of h seconds, before its kick.
+     *
+     * @param lastKick length of the last kick, s
+     * @param areOfNow whether velocities are the present ones, not those of the middle of the last
+     *     part
      */
     public void findStrikes(
             double h, double lastKick, int substep, boolean areOfNow, boolean isComposed) {
@@ -293,7 +296,7 @@ public final class JointSolver {
         strikes.find(h, areOfNow, isComposed);
     }
 
-    /** Whether a stop that is held would have to be pulled at, by the last kick. */
+    /** Whether a stop that is held pulled in the last kick. */
     public boolean isAnyPulled() {
         for (int row = 0; states.areAny && row < rows.count; row++) {
             int joint = rows.joint[row];
@@ -306,32 +309,34 @@ public final class JointSolver {
         return false;
     }
 
-    /** Keeps what joints carried, to be gone back to. */
+    /** Stores the impulses of joints, so that they can be restored. */
     public void keep() {
         packed.keep();
         keptKick = kicked;
     }
 
-    /** Goes back to what was kept last. */
+    /** Restores the stored impulses. */
     public void recall() {
         packed.recall();
         kicked = keptKick;
     }
 
     /**
-     * Writes the rows of the joints where bodies are now, before a kick of so many seconds after
-     * which they drift for h.
+     * Writes the rows of the joints at the present poses, before a kick of a length in s and a
+     * drift of h seconds.
      */
     public void write(double kick, double h) {
         write(kick, h, budget.isWhole(), false);
     }
 
-    /** Writes them likewise before a kick after which nothing drifts. */
+    /** Writes the rows likewise, for a kick after which nothing drifts. */
     public void writeAtRest(double kick, double h) {
         write(kick, h, false, true);
     }
 
-    /** Writes them; what is too taut answers by inertia where it may. */
+    /**
+     * Writes the rows; a body under too much tension gets a larger inertia if {@code mayAnswer}.
+     */
     private void write(double kick, double h, boolean mayAnswer, boolean isLast) {
         share = kicked == 0 ? 0 : kick / kicked;
         poses.take(0);
@@ -345,7 +350,7 @@ public final class JointSolver {
         results.keepArms(poses);
     }
 
-    /** Writes them for the poses that were taken. */
+    /** Writes the rows for the poses that were taken. */
     private void writeRows(double kick, double h, boolean isLast) {
         areWritten = false;
         rows.clear();
@@ -356,7 +361,7 @@ public final class JointSolver {
     public void begin(double h) {
         before = motions.fastest();
         if (!needed.isTaut()) {
-            // What is too taut has no better answer in a crowd: contacts are passed over here.
+            // A taut crowd would be solved in passes, which serve it no better.
             budget.review();
         }
         if (!budget.isWhole()) {
@@ -364,7 +369,7 @@ public final class JointSolver {
         }
     }
 
-    /** Notes how bodies move after the kick, before they get what contacts carried. */
+    /** Stores velocities after the kick, before the impulses of contacts are applied. */
     public void takeFree() {
         if (!budget.isWhole()) {
             crowd.takeFree();
@@ -478,9 +483,9 @@ public final class JointSolver {
     }
 
     /**
-     * Whether overlap is removed here: not in a small island where only axes are locked or which is
-     * too taut. Joints of a straight bridge hold nearly all that a push would move, and what is
-     * left would be lifted without a force.
+     * Whether overlap is removed here. It is not in a small island where only axes are locked, or
+     * which is too taut: joints of a straight bridge hold nearly everything that a push would move,
+     * and the rest would be lifted without a force.
      */
     public boolean takesOverlapBack() {
         return !budget.isWhole() || packed.count > 0 && !needed.isTaut();
@@ -496,8 +501,8 @@ public final class JointSolver {
     }
 
     /**
-     * Takes back what joints are off their places, by moving bodies, in a substep of h seconds. In
-     * a crowd that is done before the kick.
+     * Removes the position errors of joints by moving bodies, in a substep of h seconds. A crowd
+     * does so before the kick.
      */
     public void correct(double h) {
         if (!budget.isWhole()) {
@@ -510,12 +515,12 @@ public final class JointSolver {
         }
     }
 
-    /** Tells what joints gave their bodies in a step of dt seconds. */
+    /** Stores the mean forces of joints in a step of dt seconds. */
     public void tell(double dt) {
         results.tell(dt);
     }
 
-    /** Stores what joints carried in the last kick, which was so many seconds long. */
+    /** Stores the forces of joints in the last kick, given its length in s. */
     public void store(double lastKick) {
         results.store(lastKick);
     }

@@ -43,8 +43,8 @@ public final class JointSubsteps {
     }
 
     /**
-     * Number of substeps of an island for a step of dt seconds, at least the usual one; the usual
-     * one also if the island is too taut for any number.
+     * Number of substeps of an island for a step of dt seconds: at least the usual one, and no more
+     * than that if the island is too taut for any number.
      */
     public int of(int island, double dt, int usual) {
         isTaut = mayStiffen && taut.isBeyond(island, dt, usual);
@@ -52,7 +52,7 @@ public final class JointSubsteps {
         return isTaut ? usual : taut.count(island, dt, usual);
     }
 
-    /** Whether bodies of an island are light beside what they carry. */
+    /** Whether bodies of an island are light compared with their load. */
     boolean isTight(int island, double dt) {
         return taut.isTight(island, dt);
     }
@@ -63,16 +63,16 @@ public final class JointSubsteps {
     }
 
     /**
-     * Number of fourth-order substeps that the packed island needs for a step of dt seconds, up to
-     * a given one; if anything touches, it gets all of them.
+     * Number of fourth-order substeps that the packed island needs for a step of dt seconds: at
+     * most {@code most}, and that number if anything touches.
      */
     public int composed(int island, double dt, int most) {
         return contactRows.areAny() ? most : moving.count(island, dt, most);
     }
 
     /**
-     * Number of plain substeps that the packed island needs, from a least to a most; the most if it
-     * needs more, or is not eliminated as a whole.
+     * Number of plain substeps that the packed island needs, from {@code least} to {@code most};
+     * {@code most} if it is not eliminated as a whole.
      */
     public int plain(int island, double dt, int least, int most) {
         return budget.isWhole() ? moving.countPlainly(island, dt, least, most) : most;

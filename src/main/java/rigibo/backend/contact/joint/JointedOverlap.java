@@ -25,18 +25,24 @@ final class JointedOverlap {
     private final RowElimination elimination;
     private final Accuracy accuracy;
 
-    /** Rows of points that overlap or may come to, and by how much each is to open at least, m. */
+    /**
+     * Rows of points that overlap or that others could be moved into; and the least distance by
+     * which each must open, m.
+     */
     private int[] point = new int[16];
 
     private double[] wanted = new double[16];
     private int count;
 
-    /** The push of each, kg·m; and what a unit push of each opens each by, 1/kg. */
+    /**
+     * By point: its push, kg·m. By two points: the opening of the first by a unit push of the
+     * second, 1/kg.
+     */
     private double[] push = new double[16];
 
     private double[] opens = new double[256];
 
-    /** By row: what joints take back, m/s. */
+    /** By row: the change of speed that joints ask for, m/s. */
     private double[] change = new double[64];
 
     /** Velocities of the motions, while their columns hold displacements. */
@@ -177,12 +183,12 @@ final class JointedOverlap {
         }
     }
 
-    /** Least answer that is reckoned with: that of joints that hold all that a push would move. */
+    /** Least response that is used, for points whose push joints hold nearly completely. */
     private double least(int i) {
         return Responses.LEAST * rows.response[point[i]];
     }
 
-    /** Takes the displacements over, or a share of them, so that no outline goes too far. */
+    /** Moves bodies by the displacements, scaled down if an outline would move too far. */
     private void move(double h) {
         double most = Responses.MOST_MOVED * Math.abs(h);
         double farthest = 0;

@@ -28,7 +28,7 @@ public final class JointsAtRest {
     private final PackedJoints packed;
     private final Poses poses;
 
-    /** The states of stops, of which none is watched: all rows are bound. */
+    /** The states of stops: no stop is watched, so all rows are bound. */
     private final RowStates states;
 
     private final JointRows jointRows;
@@ -51,7 +51,7 @@ public final class JointsAtRest {
         tolerance = accuracy.impactTolerance();
     }
 
-    /** Whether nothing moves as the caller says to which joints of the island hold. */
+    /** Whether no joint of the island holds to a driven body. */
     public boolean areStanding(int island) {
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             int joint = islands.joints[i];
@@ -97,7 +97,7 @@ public final class JointsAtRest {
         return true;
     }
 
-    /** A spring yields, or acts with a force that depends on nothing else. */
+    /** Whether a row is a spring: it has compliance, or a force that nothing else changes. */
     private boolean isSoft(int row) {
         boolean isFixed = rows.lower[row] == rows.upper[row];
         return rows.give[row] > 0 || isFixed && !rows.holdsPlace[row];

@@ -12,13 +12,13 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 
 /**
- * The rows of one island, whatever they stand for. A row has up to four bodies with a derivative
- * each, and asks for w = J·v + give·j − target to be 0, or, where its impulse j is at a bound, not
- * to drive it beyond: w ≥ 0 at the lower bound, w ≤ 0 at the upper one.
+ * The rows of one island, of joints and contacts alike. A row has up to four bodies with
+ * derivatives J, and asks for w = J·v + give·j − target = 0. If its impulse j is at a bound, it
+ * only asks for w ≥ 0 at the lower bound, or w ≤ 0 at the upper one.
  */
 final class NeutralRows {
 
-    /** Bodies of a row at most. */
+    /** Most bodies of a row. */
     static final int BODIES = 4;
 
     /** Numbers of the derivatives of a row: along x, along y and turning, of each body. */
@@ -27,20 +27,20 @@ final class NeutralRows {
     static final int NONE = -1;
 
     /**
-     * Give of every row for elimination, as a share of its response: it keeps redundant rows apart,
-     * and iteration takes its effect back where the rows agree.
+     * Compliance of every row in eliminations, as a share of its response. It regularizes redundant
+     * rows; refinement removes its effect where rows agree.
      */
     static final double REGULAR = 1e-11;
 
     /**
-     * Share of a row's response below which what locked axes leave of it is round-off: the square
-     * of what a direction is off by that points along the axis.
+     * Share of its free response below which a row counts as acting along locked axes alone: the
+     * square of the round-off of its direction.
      */
     private static final double ACROSS = 1e-24;
 
     int count;
 
-    /** How many bodies a row has, their offsets in the motions, and the derivatives. */
+    /** By row: the number of its bodies, their offsets in the motions, and the derivatives. */
     int[] bodies = new int[32];
 
     int[] body = new int[32 * BODIES];
@@ -55,15 +55,16 @@ final class NeutralRows {
     /** Speed that the row aims at, m/s or rad/s. */
     double[] target = new double[32];
 
-    /** Speed by which it gives way to a unit impulse, 1/kg. */
+    /** Compliance: speed by which the row gives way to a unit impulse, 1/kg. */
     double[] give = new double[32];
 
     /** Speed that a unit impulse gives the row itself, 1/kg. */
     double[] response = new double[32];
 
     /**
-     * Of a row whose bounds are ± a share of the sum of other rows' impulses: the share, the first
-     * of those rows and how many they are. Of a row of a pair within a disc the other one.
+     * For a row whose bounds are ± a share of the sum of other rows' impulses: the share, the first
+     * of these rows, and their number. For a row of a pair within a disc: the other row; the share
+     * is then the disc's radius, N·s.
      */
     double[] share = new double[32];
 
@@ -72,25 +73,26 @@ final class NeutralRows {
     int[] twin = new int[32];
 
     /**
-     * Which joint of the island a row is of, or which contact, else {@link #NONE}; and which row.
+     * The joint or contact of the island that a row belongs to, or {@link #NONE}; and which of its
+     * rows it is.
      */
     int[] joint = new int[32];
 
     int[] contact = new int[32];
     int[] part = new int[32];
 
-    /** What the row keeps from changing as bodies move: an equation's error or a gap, m or rad. */
+    /** Error of an equation, or gap of a limit or contact, m or rad. */
     double[] place = new double[32];
 
-    /** Whether the place of the row is held when bodies move on, not only its speed. */
+    /** Whether the row holds its place at the end of a drift, not only its speed. */
     boolean[] holdsPlace = new boolean[32];
 
-    /** The elasticity of an impact, 0 where none rebounds. */
+    /** Elasticity of an impact; 0 if nothing rebounds. */
     double[] elasticity = new double[32];
 
     /**
-     * Metres that a unit of the row's coordinate stands for: 1 of a length; of an angle what it
-     * moves the outline by, so that a tolerance in m/s is one of any row.
+     * Metres per unit of the row's coordinate: 1 for a length, the reach of the bodies for an
+     * angle. So a tolerance in m/s applies to any row.
      */
     double[] unit = new double[32];
 
@@ -177,7 +179,10 @@ final class NeutralRows {
         unit[row] = isOfAngles(row) ? reach(row) : 1;
     }
 
-    /** Leaves locked axes out; what is left of a row across all that it could move is nothing. */
+    /**
+     * Removes locked axes from the derivatives; returns the response that is left, 0 if it is
+     * round-off.
+     */
     private double lockedResponse(int row) {
         double free = ownResponse(row);
         for (int i = 0; i < bodies[row]; i++) {
@@ -211,7 +216,7 @@ final class NeutralRows {
         return isTurning;
     }
 
-    /** How far those of its bodies reach that it can turn, m; 1 where none has an end. */
+    /** Largest reach of a row's bodies that can turn, m; 1 if none has a finite reach. */
     double reach(int row) {
         double most = 0;
         for (int i = 0; i < bodies[row]; i++) {
@@ -225,7 +230,7 @@ final class NeutralRows {
         return most > 0 ? most : 1;
     }
 
-    /** 1 or −1 where two rows have the same derivatives, or opposite ones; else 0. */
+    /** 1 if two rows have the same derivatives, −1 if opposite ones, otherwise 0. */
     int parallel(int row, int other) {
         return areAlike(row, other, 1) ? 1 : areAlike(row, other, -1) ? -1 : 0;
     }
@@ -253,12 +258,15 @@ final class NeutralRows {
         return inMetres(row, impulse[row]) * response[row];
     }
 
-    /** What an impulse of one row gives another through a body that both have, 1/kg. */
+    /** Speed that a unit impulse of one row gives another through a body of both, 1/kg. */
     double through(int row, int i, int other, int k) {
         return through(derivative, row, i, derivative, other, k);
     }
 
-    /** What a unit impulse of one row gives another, both by derivatives other than their own. */
+    /**
+     * The same speed, measured along {@code moved} for an impulse that acts along {@code pushed},
+     * which replace the derivatives of both rows.
+     */
     double through(double[] moved, int row, int i, double[] pushed, int other, int k) {
         double[] m = motions.data;
         int offset = body[row * BODIES + i];
@@ -273,7 +281,9 @@ final class NeutralRows {
         return along(row, VX);
     }
 
-    /** J·x with the columns from one on, of velocities or displacements. */
+    /**
+     * J·x, with x in three columns of the motions from a given one on: velocities or displacements.
+     */
     double along(int row, int column) {
         double[] m = motions.data;
         double sum = 0;
@@ -288,23 +298,26 @@ final class NeutralRows {
         return sum;
     }
 
-    /** How far a row is from what it asks for, m/s or rad/s. */
+    /** The residual w of a row, m/s or rad/s. */
     double residual(int row) {
         return speed(row) + give[row] * impulse[row] - target[row];
     }
 
-    /** Adds to a row's impulse, and gives its bodies the change. */
+    /** Adds to a row's impulse and applies the change to its bodies. */
     void push(int row, double change) {
         impulse[row] += change;
         apply(row, change);
     }
 
-    /** Gives a row's bodies an impulse. */
+    /** Applies an impulse along a row to its bodies. */
     void apply(int row, double change) {
         move(row, change, VX);
     }
 
-    /** Changes the columns from one on, of velocities or displacements, as an impulse does. */
+    /**
+     * Changes three columns of the motions, from a given one on, as an impulse along a row does:
+     * velocities or displacements.
+     */
     void move(int row, double change, int column) {
         double[] m = motions.data;
         for (int i = 0; i < bodies[row]; i++) {
@@ -325,25 +338,25 @@ final class NeutralRows {
                 && twin[row] == NONE;
     }
 
-    /** Whether a row is what a point of a contact pushes with. */
+    /** Whether a row is the normal row of a contact point. */
     boolean isPoint(int row) {
         return contact[row] != NONE && load[row] == NONE;
     }
 
-    /** Whether a row of a joint only brakes: a motor that is to stand, with bounds. */
+    /** Whether a row is a brake: a joint's motor with a limited force and a target speed of 0. */
     boolean isBrake(int row) {
         boolean isBound = lower[row] < upper[row] && !isEquation(row);
         return joint[row] != NONE && !holdsPlace[row] && target[row] == 0 && isBound;
     }
 
-    /** Writes the bounds of rows that follow from other rows' impulses. */
+    /** Updates all bounds that depend on other rows' impulses. */
     void bound() {
         for (int row = 0; row < count; row++) {
             bound(row);
         }
     }
 
-    /** Writes the bounds of one row that follow from another row's impulse. */
+    /** Updates the bounds of a row, if they depend on other rows' impulses. */
     void bound(int row) {
         if (load[row] != NONE) {
             double sum = 0;
@@ -363,7 +376,7 @@ final class NeutralRows {
         }
     }
 
-    /** The impulse that would solve a row alone, without bounds. */
+    /** The impulse that would solve a row alone, without its bounds. */
     double wish(int row) {
         return impulse[row] - residual(row) / (response[row] + give[row]);
     }

@@ -29,12 +29,16 @@ final class PlaceRecovery {
     private static final double KEPT = 0.1;
 
     /**
-     * How many times as far as equations are off outlines may go in any case. Hinges of a straight
-     * bridge, which are the harder to close the straighter it is, ask for far more.
+     * Displacement that is always allowed, as a multiple of the largest error of an equation.
+     * Hinges of a straight bridge ask for far more; the straighter it is, the harder they are to
+     * close.
      */
     private static final double FEW = 4;
 
-    /** Compliances of rows that ask for too much, as shares of their responses. */
+    /**
+     * Compliances of rows that ask for too large displacements, as shares of their responses: the
+     * first, the factor to the next, and the last.
+     */
     private static final double LEAST_GIVE = 1e-6;
 
     private static final double MORE_GIVE = 100;
@@ -55,7 +59,10 @@ final class PlaceRecovery {
     /** By row: the displacement that is asked for, m or rad. */
     private double[] wanted = new double[64];
 
-    /** By row with bounds: what was asked for before equations were closed alone. */
+    /**
+     * By row with bounds: the displacement that is asked for, while equations are closed alone, m
+     * or rad.
+     */
     private double[] ofLimit = new double[64];
 
     PlaceRecovery(
@@ -129,9 +136,9 @@ final class PlaceRecovery {
     }
 
     /**
-     * Closes all places without moving bodies into what they lie on: contacts that carry hold their
-     * gaps, but for those that would have to pull. Returns whether it did: not where no contact
-     * carries, nor where an outline would move too far, since contacts may contradict joints.
+     * Closes all places without pushing bodies into what they lie on: loaded contacts keep their
+     * gaps, except for those that would have to pull. Returns false if no contact carries load, or
+     * if an outline would move too far, since contacts may contradict joints.
      */
     private boolean closesOnContacts(double most) {
         boolean isAny = false;
@@ -148,7 +155,7 @@ final class PlaceRecovery {
         return isClosed;
     }
 
-    /** Leaves those contacts out that would have to pull; returns whether any is left. */
+    /** Removes contacts from the set that would have to pull; returns whether any is left. */
     private boolean closeWithoutPulling() {
         boolean isAnyLeft = true;
         boolean isAnyPulled = true;
@@ -183,7 +190,7 @@ final class PlaceRecovery {
         return Math.abs(over) > missed + 2 * jointRows.roundOff() / rows.unit[row];
     }
 
-    /** Leaves contacts out; overlap that results is removed separately. */
+    /** Removes contacts from the set; overlap that results is removed separately. */
     private void leaveContactsOut() {
         for (int row = 0; row < rows.count; row++) {
             if (rows.joint[row] == NeutralRows.NONE) {
@@ -193,8 +200,8 @@ final class PlaceRecovery {
     }
 
     /**
-     * Moves outlines as asked, unless one would move too far; returns the longest way asked for, as
-     * a share of an outline's reach.
+     * Moves outlines as asked, unless one would move too far; returns the largest displacement that
+     * was asked for, as a share of the outline's reach.
      */
     private double close(double most) {
         moved.begin();
@@ -207,11 +214,11 @@ final class PlaceRecovery {
     }
 
     /**
-     * Closes all equations, and as much of the limits as leaves outlines within what they may move,
-     * if equations alone ask for no more than that, or for a few times what they are off: they are
-     * then far from contradicting each other. Returns whether it did.
+     * Closes all equations, and limits as far as outlines may move. Returns false if equations
+     * alone ask for too large displacements: they then nearly contradict each other.
      *
-     * @param ofAll the longest way with all places closed, as a share of an outline's reach
+     * @param ofAll the largest displacement with all places closed, as a share of the outline's
+     *     reach
      */
     private boolean closesEquations(double most, double ofAll) {
         double asked = 0;
@@ -275,11 +282,11 @@ final class PlaceRecovery {
     }
 
     /**
-     * What rows are to give way by, as a share g of their responses D, so that no outline goes
-     * farther than that. By x = (K + g·D)⁻¹·b bodies are moved by M⁻¹·Jᵀ·x, and Σ m·s² of all moves
-     * is xᵀ·K·x, no more than bᵀ·D⁻¹·b/4g whatever K is: σ/(σ + g)² is greatest at σ = g. An
-     * outline of mass m, inertia I and reach r goes no farther than √(2/m + r²/I) times the root of
-     * that.
+     * Compliance of rows, as a share g of their responses D, with which no outline moves farther
+     * than {@code most}. With x = (K + g·D)⁻¹·b, bodies move by M⁻¹·Jᵀ·x. The sum Σ m·s² of all
+     * moves is xᵀ·K·x, which is at most bᵀ·D⁻¹·b/4g for any K, since σ/(σ + g)² is greatest at σ =
+     * g. So an outline of mass m, inertia I and reach r moves no farther than √(2/m + r²/I) times
+     * the root of that.
      */
     private double give(double most) {
         double asked = 0;

@@ -6,31 +6,35 @@ import rigibo.backend.storage.Bodies;
 import java.util.Arrays;
 
 /**
- * What an impulse of a row gives to whole groups of joined bodies, whose equations it leaves alone:
- * R = M⁻¹·jᵀ − M⁻¹·Jᵀ·K⁻¹·J·M⁻¹·jᵀ with j the row's derivatives. Velocities lie group by group, so
- * that a push is one loop over each of the two groups that a row is between.
+ * Responses of whole groups of joined bodies to an impulse of a row, with the group's equations
+ * held: R = M⁻¹·jᵀ − M⁻¹·Jᵀ·K⁻¹·J·M⁻¹·jᵀ, with j the row's derivatives. Velocities are stored group
+ * by group, so that a push is one loop over each group that the row acts on.
  */
 final class Responses {
 
     private static final int NONE = -1;
 
-    /** Bodies of a group up to which what each impulse gives all of them is worth its work. */
+    /**
+     * Most bodies of a group that responds as a whole; bodies of a larger one respond as if they
+     * were free.
+     */
     private static final int MOST_BODIES = 128;
 
     /**
-     * Least answer that is reckoned with, as a share of what free bodies answer: where joints hold
-     * all that an impulse pushes, it would grow beyond what limits and motors can answer.
+     * Least response of a row, as a share of that of free bodies. Where joints hold everything that
+     * an impulse pushes, the response is nearly 0, and impulses would grow beyond what limits and
+     * motors can counter.
      */
     static final double LEAST = 1e-3;
 
     /**
-     * How far bodies may be moved in a second, in widths of their own or of joints: a tenth of one
-     * in a substep of GAME. With three a second, bones that an impact tore apart by millimetres
-     * stayed so for several steps.
+     * Largest displacement in a second, in widths of the body or of the joint: a tenth of a width
+     * in a substep of GAME. With three widths a second, bones that an impact had torn apart by
+     * millimetres stayed apart for several steps.
      */
     static final double MOST_MOVED = 24;
 
-    /** Groups that a row can be between. */
+    /** Most groups that a row can act on. */
     private static final int SIDES = NeutralRows.BODIES;
 
     private final Bodies bodies;
@@ -40,42 +44,51 @@ final class Responses {
     private final EquationList equations;
     private final AssemblyTree tree;
 
-    /** Velocities, three by body; and a kept copy of those of one group. */
+    /** Velocities, three by body; and a stored copy of those of one group. */
     private double[] velocity = new double[64];
 
     private double[] kept = new double[64];
 
-    /** By entry of the motions where its velocity is; by group where those of its bodies are. */
+    /**
+     * By entry of the motions: the start of its velocity. By group: the start of those of its
+     * bodies.
+     */
     private int[] place = new int[16];
 
     private int[] groupPlace = new int[17];
 
-    /** By place of a body: how far its outline reaches, m; 1 where that says nothing. */
+    /** By body in this order: the reach of its outline, m; 1 if that is 0 or infinite. */
     private double[] reach = new double[16];
 
-    /** By row: the blocks of velocities that it is between, each one group or one body. */
+    /** By row: the blocks of velocities that it acts on; a block is a group or a single body. */
     private int[] blockA = new int[64];
 
     private int[] blockB = new int[64];
 
-    /** By row how {@link #steepest} it is, 0 where that is not known yet. */
+    /** By row: the value of {@link #steepest}, 0 if it is not computed yet. */
     private double[] steep = new double[64];
 
     /** By block: the sum of the largest changes of its velocities since they were taken, m/s. */
     private double[] moved = new double[17];
 
-    /** By row whether its responses are known, and J·R, 1/kg. */
+    /** By row: whether its responses are known; and the row's own response, 1/kg. */
     private boolean[] isKnown = new boolean[64];
 
     private double[] own = new double[64];
 
-    /** By row and side: where its responses start, which velocities they are of, how many. */
+    /**
+     * By row and side: the start of its responses, the start of the velocities that they change,
+     * and their number.
+     */
     private int[] start = new int[64 * SIDES];
 
     private int[] target = new int[64 * SIDES];
     private int[] length = new int[64 * SIDES];
 
-    /** By row and side: the largest of these responses, of a turning at its body's reach, 1/kg. */
+    /**
+     * By row and side: the largest of these responses, 1/kg; an angular one is multiplied by its
+     * body's reach.
+     */
     private double[] largest = new double[64 * SIDES];
 
     private double[] response = new double[1024];
@@ -155,7 +168,7 @@ final class Responses {
         return (group == NONE ? place[entry] : groupPlace[group]) / 3;
     }
 
-    /** The group of joined bodies that answers as one, or none. */
+    /** The group of joined bodies that responds as a whole, or {@link #NONE}. */
     private int smallGroupOf(int entry) {
         int body = equations.bodyOfEntry(entry);
         return body == NONE || isLarge(tree.groupOf[body]) ? NONE : tree.groupOf[body];
@@ -201,12 +214,12 @@ final class Responses {
         }
     }
 
-    /** Whether a group is so large that its bodies answer as if they were free. */
+    /** Whether a group is so large that its bodies respond as if they were free. */
     private boolean isLarge(int group) {
         return tree.bodyStart[group + 1] - tree.bodyStart[group] > MOST_BODIES;
     }
 
-    /** Whether there is a group so large that equations have to be brought back by others. */
+    /** Whether any group is that large, so that its equations have to be solved after each pass. */
     boolean areAnyLarge() {
         for (int group = 0; group < tree.groups; group++) {
             if (isLarge(group)) {
@@ -216,7 +229,7 @@ final class Responses {
         return false;
     }
 
-    /** Forgets the responses of rows of some groups, in which other equations hold. */
+    /** Discards the responses of rows in groups in which other equations hold now. */
     void forget(boolean[] isOther) {
         for (int row = 0; row < rows.count; row++) {
             for (int k = 0; k < rows.bodies[row]; k++) {
@@ -227,31 +240,31 @@ final class Responses {
         }
     }
 
-    /** Takes displacements of nobody in place of velocities. */
+    /** Sets displacements of 0 in place of velocities. */
     void rest() {
         Arrays.fill(velocity, 0, 3 * motions.count, 0);
     }
 
-    /** Keeps the displacements of a group's bodies. */
+    /** Stores the displacements of a group's bodies. */
     void keep(int group) {
         int from = groupPlace[group];
         System.arraycopy(velocity, from, kept, from, groupPlace[group + 1] - from);
     }
 
-    /** Goes back to what was kept of a group. */
+    /** Restores the stored displacements of a group. */
     void recall(int group) {
         int from = groupPlace[group];
         System.arraycopy(kept, from, velocity, from, groupPlace[group + 1] - from);
     }
 
-    /** Scales what was added to a group's displacements since they were kept. */
+    /** Scales the change of a group's displacements since they were stored. */
     void scale(int group, double share) {
         for (int v = groupPlace[group]; v < groupPlace[group + 1]; v++) {
             velocity[v] = kept[v] + share * (velocity[v] - kept[v]);
         }
     }
 
-    /** The farthest that an outline of a group is displaced since they were kept, m. */
+    /** The largest displacement of a group's outlines since they were stored, m. */
     double farthest(int group) {
         double most = 0;
         for (int i = tree.bodyStart[group]; i < tree.bodyStart[group + 1]; i++) {
@@ -265,8 +278,8 @@ final class Responses {
     }
 
     /**
-     * Moves bodies by what is taken for their displacements in h seconds, or by a share of all, so
-     * that no outline goes too far: what joints hold nearly all of would throw others about.
+     * Moves bodies by their displacements in h seconds, scaled down if an outline would move too
+     * far: an impulse that joints hold nearly completely would throw other bodies about.
      */
     void move(double h) {
         double most = MOST_MOVED * Math.abs(h);
@@ -289,7 +302,7 @@ final class Responses {
         }
     }
 
-    /** Adds to displacements what an impulse of a row would give its own bodies alone, kg·m. */
+    /** Adds the displacements of a row's own bodies by an impulse along it, kg·m. */
     void displace(int row, double change) {
         for (int k = 0; k < rows.bodies[row]; k++) {
             int offset = rows.body[row * NeutralRows.BODIES + k];
@@ -305,7 +318,7 @@ final class Responses {
         }
     }
 
-    /** How far a row is from what it asks for, m/s or rad/s. */
+    /** The residual of a row, m/s or rad/s. */
     double residual(int row) {
         return along(row) + rows.give[row] * rows.impulse[row] - rows.target[row];
     }
@@ -324,7 +337,7 @@ final class Responses {
         return sum;
     }
 
-    /** The speed that a unit impulse gives the row itself, 1/kg. */
+    /** Speed that a unit impulse of a row gives the row itself, 1/kg. */
     double own(int row) {
         if (!isKnown[row]) {
             find(row);
@@ -332,7 +345,7 @@ final class Responses {
         return own[row];
     }
 
-    /** Gives all bodies what a row's impulse gives them. */
+    /** Changes the velocities of all bodies by an impulse of a row. */
     void push(int row, double change) {
         double[] r = response;
         double[] v = velocity;
@@ -411,7 +424,7 @@ final class Responses {
         }
     }
 
-    /** Writes what a unit impulse of a row gives the bodies of one group, or one free body. */
+    /** Writes the responses of one group, or of one free body, to a unit impulse of a row. */
     private void respond(int row, int side, int group) {
         if (group != NONE) {
             askNothing(group);
@@ -448,7 +461,7 @@ final class Responses {
         }
     }
 
-    /** Asks equations of a body to take back what its velocity changed them by. */
+    /** Asks the equations of a body to remove the change of their speeds by its velocity. */
     private void askBack(int body, int offset, double x, double y, double turn) {
         for (int copy = body; copy != NONE; copy = equations.nextCopy(copy)) {
             askBackCopy(copy, offset, x, y, turn);

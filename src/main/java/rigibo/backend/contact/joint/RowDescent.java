@@ -1,19 +1,22 @@
 package rigibo.backend.contact.joint;
 
 /**
- * Solves rows within bounds that stay where exchanges of the set do not end. It begins with
- * impulses within their bounds and goes towards those that would solve the rows of the set, as far
- * as the first row that comes to a bound, which leaves the set. Once the set is solved, that row
- * enters which is driven off its bound most. Each step lowers the energy of what rows lack, so no
- * set comes twice (J. Nocedal and S. Wright, Numerical Optimization, 2006, on active sets of convex
- * quadratic programs).
+ * Solves rows with constant bounds if exchanges of the set do not end. It starts with impulses
+ * within their bounds and moves towards those that solve the rows of the set, until a first row
+ * reaches a bound; that row leaves the set. Once the set is solved, the row enters that is driven
+ * off its bound most. Each step lowers the energy of the residuals, so that no set occurs twice (J.
+ * Nocedal and S. Wright, Numerical Optimization, 2006, on active sets of convex quadratic
+ * programs).
  */
 final class RowDescent {
 
-    /** Solutions with the same set that take back what elimination lost of digits. */
+    /**
+     * Most refinements of a solution with the same set, which restore the digits that elimination
+     * lost.
+     */
     private static final int REFINEMENTS = 3;
 
-    /** Steps for each row with bounds, and besides. */
+    /** Most steps: for each row with bounds, and in addition. */
     private static final int STEPS_EACH = 4;
 
     private static final int STEPS = 16;
@@ -23,13 +26,13 @@ final class RowDescent {
     private final NeutralRows rows;
     private final RowElimination elimination;
 
-    /** The rows with bounds, and by row at which bound it is outside the set, −1 or 1. */
+    /** The rows with bounds; and by row outside the set the bound that it is at, −1 or 1. */
     private int[] bounded;
 
     private int count;
     private int[] side;
 
-    /** What counts as solved, m/s. */
+    /** Residual that counts as solved, m/s. */
     private double settled;
 
     RowDescent(NeutralRows rows, RowElimination elimination) {
@@ -38,8 +41,8 @@ final class RowDescent {
     }
 
     /**
-     * Solves but for {@code most} m/s, and answers whether it could; {@code sides} tells at which
-     * bound a row outside the set is.
+     * Solves up to a residual of {@code most} m/s; returns whether it could. {@code sides} holds
+     * the bound of each row outside the set, −1 or 1.
      */
     boolean solve(int[] withBounds, int countOfThem, int[] sides, double most) {
         bounded = withBounds;
@@ -64,7 +67,7 @@ final class RowDescent {
         return false;
     }
 
-    /** Brings all impulses within their bounds; what is at one leaves the set. */
+    /** Clamps all impulses to their bounds; a row at a bound leaves the set. */
     private void clamp() {
         for (int i = 0; i < count; i++) {
             int row = bounded[i];
@@ -83,7 +86,10 @@ final class RowDescent {
         rows.push(row, (at > 0 ? rows.upper[row] : rows.lower[row]) - rows.impulse[row]);
     }
 
-    /** Goes on to what solves the set, or to the first bound; whether a row came to one. */
+    /**
+     * Moves impulses to the solution of the set, or until the first of them reaches a bound;
+     * returns whether one did.
+     */
     private boolean step() {
         elimination.solve();
         double share = 1;
@@ -111,7 +117,7 @@ final class RowDescent {
         return first != NONE;
     }
 
-    /** Takes the row into the set that is driven off its bound most; whether any is. */
+    /** Adds the row to the set that is driven off its bound most; returns whether there was any. */
     private boolean letIn() {
         int entering = NONE;
         double most = settled;
@@ -129,7 +135,7 @@ final class RowDescent {
         return entering != NONE;
     }
 
-    /** Whether the bounds of a row leave it anything to carry, as far as counts. */
+    /** Whether the bounds of a row are far enough apart for it to enter the set. */
     private boolean isOpen(int row) {
         double slack = settled / rows.unit[row] / rows.response[row];
         return rows.upper[row] - rows.lower[row] > 2 * slack;

@@ -274,7 +274,7 @@ final class RowElimination {
         unknown[i] = change;
     }
 
-    /** Asks the set's rows for what they lack; returns the most, m/s. */
+    /** Asks for the removal of the residuals of the set's rows; returns the largest, m/s. */
     double askForResiduals() {
         double worst = 0;
         for (int i = 0; i < size; i++) {

@@ -3,8 +3,8 @@ package rigibo.backend.contact.joint;
 import java.util.Arrays;
 
 /**
- * Rows that no pass needs to ask: those at a bound that their bodies leave. Such a row keeps its
- * impulse until the velocities of its bodies have changed by what would bring it back. Most
+ * Finds rows that passes may skip: those at a bound whose bodies move away from it. Such a row
+ * keeps its impulse until the velocities of its bodies have changed enough to bring it back. Most
  * contacts and limits of a heap are open, so that passes read few of its rows.
  */
 final class RowMargins {
@@ -15,7 +15,7 @@ final class RowMargins {
     private final NeutralRows rows;
     private final Responses responses;
 
-    /** By row: up to which sum of changes it need not be asked; 0 for none. */
+    /** By row: the sum of changes up to which it may be skipped; 0 if it may not. */
     private double[] until = new double[64];
 
     RowMargins(NeutralRows rows, Responses responses) {
@@ -23,7 +23,7 @@ final class RowMargins {
         this.responses = responses;
     }
 
-    /** Begins with rows none of which has been asked since velocities were taken. */
+    /** Begins with velocities that were just taken; no row may be skipped yet. */
     void begin() {
         if (until.length < rows.count) {
             until = new double[rows.bodies.length];
@@ -31,17 +31,17 @@ final class RowMargins {
         Arrays.fill(until, 0, rows.count, 0);
     }
 
-    /** Whether a row is at a bound that its bodies still leave. */
+    /** Whether a row may be skipped. */
     boolean isIdle(int row) {
         return responses.moved(row) < until[row];
     }
 
-    /** Has a row asked next time, since its impulse is another one. */
+    /** Lets no pass skip a row next time, since its impulse has changed. */
     void forget(int row) {
         until[row] = 0;
     }
 
-    /** Notes what a row is from what it asks for, m/s or rad/s. */
+    /** Takes note of a row's residual, m/s or rad/s. */
     void note(int row, double residual) {
         if (isLeaving(row, residual)) {
             double margin = SAFE * Math.abs(residual) / responses.steepest(row);

@@ -33,8 +33,9 @@ final class RowMemory {
     }
 
     /**
-     * Gives bodies all impulses anew, from the velocities on that were stored without any. What
-     * remained of huge impulses on the way to these is gone: rows do not see it where no row holds.
+     * Applies all impulses again to the stored velocities, which must be those without any. This
+     * removes the round-off of huge intermediate impulses, which no row sees in directions that
+     * none holds.
      */
     void redo() {
         System.arraycopy(bodies, 0, motions.data, 0, motions.count * Motions.STRIDE);

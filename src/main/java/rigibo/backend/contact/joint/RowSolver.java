@@ -4,48 +4,53 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.setup.Accuracy;
 
 /**
- * Solves the rows of an island to the end. Equations are always eliminated; of the rows with bounds
- * those are that are within them. Rows that leave their bounds leave the set and rows that are
- * driven off their bounds enter it, all at once as long as they get fewer (Júdice and Pires,
- * Basic-set algorithm for a generalized linear complementarity problem, 1994), else one at a time
- * ({@link RowDescent}). Bounds that follow from loads follow between two such solutions; where a
- * few of these did not end, what slides is solved together with its loads ({@link SlidingRows}).
+ * Solves the rows of an island completely. Equations and rows within their bounds are eliminated.
+ * Rows that exceed their bounds leave the set, and rows that are driven off their bounds enter it:
+ * all at once as long as their number falls (Júdice and Pires, Basic-set algorithm for a
+ * generalized linear complementarity problem, 1994), otherwise one at a time ({@link RowDescent}).
+ * Bounds that depend on loads are updated between two such solutions. If a few updates do not end,
+ * sliding rows are solved together with their loads ({@link SlidingRows}).
  */
 final class RowSolver {
 
-    /** Exchanges of all rows at once that may fail to make them fewer. */
+    /** Most successive exchanges of all rows at once that do not lower their number. */
     private static final int PATIENCE = 5;
 
     /**
-     * What rows with bounds give way by for what they carry else than in the kick before, where
-     * they could share their loads in more than one way: a share of their responses, for each metre
-     * of the tolerance, and at most. Sets of rows that contradict each other by round-off followed
-     * each other without an end, and what lay in a heap was pushed about by it.
+     * Compliance of rows with bounds towards changes of their last impulses, if they could share
+     * their loads in more than one way: a share of their responses per metre of tolerance, and at
+     * most. Without it, sets of rows that contradict each other by round-off followed each other
+     * endlessly and pushed heaps about.
      */
     private static final double NEARNESS = 10;
 
     private static final double MOST_NEARNESS = 1e-2;
 
-    /** Exchanges in one solution, and how often bounds follow loads. */
+    /** Most exchanges in one solution, and most updates of bounds that depend on loads. */
     private static final int MOST_EXCHANGES = 60;
 
     private static final int MOST_ROUNDS = 20;
 
-    /** Rounds in which bounds follow loads before what slides is solved with them. */
+    /** Updates of bounds after which sliding rows are solved together with their loads. */
     private static final int ROUNDS_APART = 3;
 
-    /** Solutions with the same set that take back what elimination lost of digits. */
+    /**
+     * Most refinements of a solution with the same set, which restore the digits that elimination
+     * lost.
+     */
     private static final int REFINEMENTS = 3;
 
     /** Share of the strongest answer below which a speed is round-off. */
     private static final double ROUND_OFF = 2e-15;
 
-    /** What a bound may lag behind its loads, as a multiple of what counts as solved. */
+    /**
+     * Allowed lag of a bound behind its loads, as a multiple of the residual that counts as solved.
+     */
     private static final double LAG = 100;
 
     /**
-     * Share of the strongest speed that bounds may lag behind once rounds end, for each metre of
-     * the tolerance: at GAME friction is then known to a thousandth.
+     * Allowed lag of bounds in the last round, as a share of the largest speed that an impulse
+     * gives its row, per metre of tolerance: at GAME friction is then known to a thousandth.
      */
     private static final double LATE = 10;
 
@@ -56,35 +61,43 @@ final class RowSolver {
     private final SlidingRows sliding;
     private final RowDescent descent;
 
-    /** How rows were before what slides was solved with its loads. */
+    /** The rows before sliding rows were solved together with their loads. */
     private final RowMemory apart;
 
-    /** What rows with bounds give way by for what they carry else than in the kick before. */
+    /**
+     * Compliance of rows with bounds towards changes of their last impulses, as a share of their
+     * responses.
+     */
     private final double nearness;
 
-    /** Share of the strongest speed that bounds may lag behind once rounds end. */
+    /**
+     * Allowed lag of bounds in the last round, as a share of the largest speed that an impulse
+     * gives its row.
+     */
     private final double late;
 
-    /** By row: target, give and impulse as they were written. */
+    /** By row: target, compliance and impulse as they were written. */
     private double[] aim = new double[64];
 
     private double[] give = new double[64];
     private double[] carried = new double[64];
 
-    /** Rows to be exchanged. */
+    /** Number of rows to be exchanged. */
     private int wrong;
 
-    /** What counts as solved, m/s, and whether the set's rows may be from the start. */
+    /**
+     * Residual that counts as solved, m/s; and whether the set's rows may be solved at the start.
+     */
     private double settled;
 
     private boolean isNear;
 
-    /** Whether what slides is solved with its loads. */
+    /** Whether sliding rows are solved together with their loads. */
     private boolean isTogether;
 
     /**
-     * Whether that was needed when the island was solved last, as by a chain that runs over a
-     * wheel; then it is likely to be needed again.
+     * Whether that was needed when the island was solved last, as for a chain that runs over a
+     * wheel; it is then likely to be needed again.
      */
     private boolean beginsTogether;
 
@@ -101,14 +114,14 @@ final class RowSolver {
         apart = new RowMemory(motions, rows);
     }
 
-    /** Begins an island, of which nothing was solved yet in the step. */
+    /** Begins an island of which nothing has been solved in the step yet. */
     void beginIsland() {
         beginsTogether = false;
     }
 
     /**
-     * Begins with rows that were just written, with impulses that bodies have got already; of what
-     * is beyond its bounds they get the difference.
+     * Begins with rows that were just written and whose impulses have been applied; impulses beyond
+     * bounds are clamped.
      */
     void begin() {
         active.begin(false);
@@ -118,8 +131,8 @@ final class RowSolver {
     }
 
     /**
-     * Begins likewise, with limits and motors in the set that were within their bounds in the kick
-     * before, and those at a bound that were at it, as far as a share of what they carried tells.
+     * Begins likewise. Limits and motors start in the set, or at the bound, at which they ended the
+     * last kick, whose impulses are scaled by {@code share}.
      */
     void beginAsBefore(PackedJoints packed, double share) {
         keepAims();
@@ -127,8 +140,9 @@ final class RowSolver {
     }
 
     /**
-     * Begins anew with rows of which bodies have got nothing. Friction gives way, by a share of its
-     * response, to what it would carry else than before: what rests does not creep.
+     * Begins again with rows of which no impulse has been applied. Friction gets a compliance, as a
+     * share of its response, towards changes of its last impulse, so that resting bodies do not
+     * creep.
      */
     void beginSoftened(PackedJoints packed, double share, double softness) {
         for (int row = 0; row < rows.count; row++) {
@@ -174,7 +188,7 @@ final class RowSolver {
         }
     }
 
-    /** Lets the impulse of a row differ from that of the kick before only as far as it must. */
+    /** Gives a row a compliance towards changes of its last impulse. */
     private void keepNear(int row, double before) {
         double give = nearness * rows.response[row];
         rows.give[row] += give;
@@ -182,10 +196,10 @@ final class RowSolver {
     }
 
     /**
-     * Whether rows may share their loads in more than one way: more of them hold than bodies can
-     * move by. Limits count for nothing, for most are not reached, nor do springs, nor friction
-     * where nothing brakes: two bodies that lie still on it crept to where it would have held them
-     * anyway.
+     * Whether rows may share their loads in more than one way: more of them hold than bodies have
+     * degrees of freedom. Limits do not count, since most are not reached, nor do springs. Friction
+     * counts only if there is a brake: two bodies that lie still on friction would otherwise creep
+     * to where it would have held them anyway.
      */
     private boolean mayBeIndeterminate() {
         int free = 0;
@@ -209,20 +223,18 @@ final class RowSolver {
         return hold + (isBraked ? rub : 0) > free;
     }
 
-    /** Takes a row with bounds into the set before {@link #solveOn}. */
+    /** Adds a row with bounds to the set before {@link #solveOn}. */
     void letIn(int row) {
         active.letIn(row);
     }
 
-    /** Solves but for so many m/s, and answers whether it could. */
+    /** Solves up to a residual in m/s; returns whether it could. */
     boolean solve(double most) {
         isNear = false;
         return solveRounds(most);
     }
 
-    /**
-     * Goes on solving after a change that left the rows of the set solved, but maybe not others.
-     */
+    /** Continues after a change that left the rows of the set solved, but maybe not the others. */
     void solveOn(double most) {
         isNear = true;
         solveRounds(most);
@@ -250,7 +262,7 @@ final class RowSolver {
                 }
                 follow();
             } else if (isTogether) {
-                // Rows that jam have no answer, or several: back to where they were.
+                // Rows that jam have no solution, or several.
                 isTogether = false;
                 beginsTogether = false;
                 goApart();
@@ -261,7 +273,7 @@ final class RowSolver {
         return false;
     }
 
-    /** Goes back to how rows were before what slides was solved with its loads. */
+    /** Restores the rows before sliding rows were solved together with their loads. */
     private void goApart() {
         apart.recall();
         active.placeAnew();
@@ -275,7 +287,7 @@ final class RowSolver {
         return most;
     }
 
-    /** Solves with the bounds as they are; whether it came to an end. */
+    /** Solves with the present bounds; returns whether it could. */
     private boolean exchange() {
         int fewest = Integer.MAX_VALUE;
         int patience = PATIENCE;
@@ -306,7 +318,7 @@ final class RowSolver {
         return false;
     }
 
-    /** Brings the set's rows to what they ask for. */
+    /** Solves the rows of the set. */
     private void eliminate() {
         elimination.factorize();
         for (int i = 0;
@@ -319,7 +331,7 @@ final class RowSolver {
         }
     }
 
-    /** Eliminates rows together with what slides under their loads, within bounds of now. */
+    /** Solves the rows of the set together with the rows that slide by their loads. */
     private void eliminateTogether() {
         sliding.begin(active.side);
         for (int i = 0; i < REFINEMENTS && !(sliding.ask() <= settled && i > 0); i++) {
@@ -328,7 +340,10 @@ final class RowSolver {
         sliding.bound();
     }
 
-    /** Counts the rows that are in the set beyond their bounds, or out of it wrongly. */
+    /**
+     * Counts the rows in the set that exceed their bounds, and the rows outside it that are driven
+     * off them.
+     */
     private void find() {
         wrong = 0;
         for (int i = 0; i < active.boundedCount; i++) {
@@ -357,7 +372,7 @@ final class RowSolver {
         }
     }
 
-    /** By how much, in m/s, what follows loads is off its bound at most. */
+    /** Largest lag of a row whose bounds depend on loads, m/s. */
     private double lag() {
         double most = 0;
         for (int i = 0; i < active.boundedCount; i++) {
@@ -366,7 +381,7 @@ final class RowSolver {
         return most;
     }
 
-    /** Lets rows follow bounds that have moved with their loads. */
+    /** Moves rows to bounds that have changed with their loads. */
     private void follow() {
         for (int i = 0; i < active.boundedCount; i++) {
             int row = active.bounded[i];
@@ -380,12 +395,12 @@ final class RowSolver {
         }
     }
 
-    /** Brings equations to what they ask for, whatever the other rows do. */
+    /** Solves the equations alone, with the present impulses of all other rows. */
     void holdEquations() {
         for (int row = 0; row < rows.count; row++) {
             elimination.put(row, rows.isEquation(row));
         }
-        // What counted as solved may have been measured at impulses beyond all bounds.
+        // The allowed residual may have been measured with impulses beyond all bounds.
         settled = ROUND_OFF * strongest();
         isNear = false;
         eliminate();

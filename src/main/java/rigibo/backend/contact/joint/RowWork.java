@@ -63,7 +63,7 @@ final class RowWork {
         }
     }
 
-    /** Work done since by contacts and by what joints hold, J: they may do none. */
+    /** Work of contacts and of rows that hold places since {@link #begin}, J. They may do none. */
     double sum() {
         double sum = 0;
         for (int row = 0; row < rows.count; row++) {
@@ -74,8 +74,8 @@ final class RowWork {
     }
 
     /**
-     * Work of contacts at the speeds that their points have now, J: none, where they are solved. A
-     * running surface may drive, so that friction is asked against its speed.
+     * Work of contacts at their present speeds, J: 0 if they are solved. Friction is measured
+     * relative to its running surface, which may drive.
      */
     double sumOfContactsNow() {
         double sum = 0;
@@ -88,7 +88,7 @@ final class RowWork {
         return sum;
     }
 
-    /** Work done since by brakes, J, which only take energy where they are solved. */
+    /** Work of brakes since {@link #begin}, J; it is at most 0 if they are solved. */
     double sumOfBrakes() {
         double sum = 0;
         for (int row = 0; row < rows.count; row++) {
@@ -98,8 +98,8 @@ final class RowWork {
     }
 
     /**
-     * Whether bodies gained the energy that the impulses of all rows gave them. Huge impulses on
-     * the way to these can leave something of them in velocities along which no row holds.
+     * Whether bodies gained exactly the work of all rows. Huge intermediate impulses can leave some
+     * of their round-off in velocities along which no row holds.
      */
     boolean isAllOfRows() {
         double sum = 0;
@@ -115,15 +115,18 @@ final class RowWork {
     }
 
     /**
-     * Takes all impulses back by restoring the velocities exactly, since some impulses may not be
-     * finite.
+     * Takes all impulses back. Velocities are restored from their copy, since some impulses may not
+     * be finite.
      */
     void takeBack() {
         System.arraycopy(free, 0, motions.data, 0, motions.count * Motions.STRIDE);
         Arrays.fill(rows.impulse, 0, rows.count, 0);
     }
 
-    /** Sets the target speeds of contacts and joints to 0, since they could do work. */
+    /**
+     * Sets the target speeds of contacts and of rows that hold places to at most 0, since others
+     * could do work.
+     */
     void rest() {
         for (int row = 0; row < rows.count; row++) {
             if (rows.holdsPlace[row] || rows.contact[row] != NeutralRows.NONE) {

@@ -66,7 +66,7 @@ final class SlidingRows {
         return rows.load[row] != NONE && !elimination.isIn(row);
     }
 
-    /** Writes the present values of bounds that follow from loads. */
+    /** Updates the bounds that depend on loads. */
     void bound() {
         for (int row = 0; row < rows.count; row++) {
             if (rows.load[row] != NONE) {

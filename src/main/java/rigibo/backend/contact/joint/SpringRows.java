@@ -17,10 +17,13 @@ final class SpringRows {
     /** Phase of a spring in a substep from which on it counts as stiff, rad. */
     static final double STIFF = 0.7;
 
-    /** Phase below which round-off is more than what a damped swing is off otherwise, rad. */
+    /**
+     * Phase in a drift below which the round-off of the exact swing exceeds the error of an exact
+     * decay, rad.
+     */
     private static final double SLOW = 1e-2;
 
-    /** Decay within a drift from which on a body creeps, and swings no more. */
+    /** Decay within a drift from which a body creeps instead of swinging. */
     private static final double CREEPS = 20;
 
     private final JointStore joints;
@@ -38,7 +41,10 @@ final class SpringRows {
 
     private final DampedSwing swing = new DampedSwing();
 
-    /** The joint of the row that was written last, how far it is from rest, and how. */
+    /**
+     * The joint of the next row; its displacement from rest, m or rad; and whether its spring is
+     * implicit.
+     */
     private int slot;
 
     private double away;
@@ -49,7 +55,7 @@ final class SpringRows {
         this.rows = rows;
     }
 
-    /** Whether one of the rows written since is stiff. */
+    /** Whether any row written since {@link #begin} is stiff. */
     boolean areAnyStiff;
 
     /** Begins with rows for a kick in a substep of h seconds, after which bodies may drift. */

@@ -12,8 +12,8 @@ import rigibo.backend.storage.JointStore;
 final class SpringSubsteps {
 
     /**
-     * Phase of a spring in a second-order substep, rad; two of them are as long as a composed one.
-     * What other joints and contacts do meanwhile is off by a share of that squared.
+     * Phase of a spring in a second-order substep, rad; two of these are as long as a composed one.
+     * The error of other joints and contacts is a share of its square.
      */
     private static final double MOST_PHASE = 0.25;
 

@@ -43,7 +43,7 @@ final class Stops {
     /** Length of the last kick, s. */
     private double kicked;
 
-    /** Present approach speed that is round-off, m/s. */
+    /** Approach speed that is round-off at present, m/s. */
     private double noise;
 
     Stops(

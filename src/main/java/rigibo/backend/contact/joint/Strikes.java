@@ -191,7 +191,7 @@ public final class Strikes {
         }
     }
 
-    /** Whether a row strikes its stop now. */
+    /** Whether any row strikes its stop now. */
     public boolean areAnyNow() {
         return isAnyStriking;
     }

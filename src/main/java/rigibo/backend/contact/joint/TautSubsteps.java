@@ -55,7 +55,7 @@ final class TautSubsteps {
      */
     private static final int MOST_BODIES = 64;
 
-    /** Substeps that tension needs from which on passes over contacts do not do. */
+    /** Number of substeps that tension needs above which passes over contacts do not suffice. */
     private static final double TIGHT = 2;
 
     private final Bodies bodies;
@@ -96,8 +96,8 @@ final class TautSubsteps {
     }
 
     /**
-     * Whether tension turns bodies back so fast that they are light beside what they carry. Passes
-     * over their contacts then take bodies for settled that are drawn into each other.
+     * Whether bodies are light compared with their load, so that tension turns them back fast.
+     * Passes over their contacts then converge while bodies are drawn into each other.
      */
     boolean isTight(int island, double dt) {
         return wanted(island, dt) > TIGHT;
@@ -115,8 +115,8 @@ final class TautSubsteps {
 
     /**
      * Whether an island is tauter than its loads explain: the forces on its bodies, and those that
-     * keep them on their curves, no sharper than their own width. It is then as long as its span,
-     * and its motion is the error of its joints.
+     * bend their paths to a radius of their width. Such an island is as long as its span, and its
+     * motion is the error of its joints.
      */
     boolean isWedged(int island) {
         double strongest = 0;

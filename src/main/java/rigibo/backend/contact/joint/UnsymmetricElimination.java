@@ -8,10 +8,10 @@ import java.util.Arrays;
  * N = J'·M⁻¹·Pᵀ of a set of rows whose impulses act along derivatives P, while the response is
  * measured by J'. It is factored as L·U within the envelope of the set, which both triangles share.
  *
- * <p>Newton's matrix of the places at the end of a drift is one: J' are the derivatives there, and
- * P those at its start. Where a light body carries a load of many times its weight, J·M⁻¹·Jᵀ is no
- * substitute: light links that turn by a millionth would already make its steps grow. The matrix of
- * what slides is another: with each load acts what it lets rub.
+ * <p>One such matrix is Newton's for the places at the end of a drift: J' are the derivatives
+ * there, and P those at its start. Where a light body carries many times its weight, J·M⁻¹·Jᵀ is no
+ * substitute: links that turn by a millionth would already make Newton's steps grow. Another is
+ * that of sliding rows: each load acts together with the friction that it allows.
  */
 final class UnsymmetricElimination {
 
@@ -30,7 +30,7 @@ final class UnsymmetricElimination {
     private double[] pivot = new double[64];
     private double[] unknown = new double[64];
 
-    /** By entry of the motions the last derivative, and by derivative the one before it. */
+    /** By entry of the motions: the last derivative. By derivative: the one before it. */
     private int[] lastOf = new int[16];
 
     private int[] before = new int[256];
@@ -145,8 +145,8 @@ final class UnsymmetricElimination {
     }
 
     /**
-     * Finds by what the rows of the set are to be pushed, so that they change at speeds that are
-     * asked by row; {@link #answer} tells it.
+     * Solves for the impulses of the set's rows that give changes of speed in m/s, stated by row;
+     * {@link #answer} returns them.
      */
     void solve(double[] asked) {
         int size = elimination.size();
@@ -167,7 +167,7 @@ final class UnsymmetricElimination {
         }
     }
 
-    /** What a row of the set is to be pushed by. */
+    /** Impulse of a row of the set in the solution. */
     double answer(int i) {
         return unknown[i];
     }
