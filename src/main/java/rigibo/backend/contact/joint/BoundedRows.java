@@ -20,7 +20,7 @@ final class BoundedRows {
     private static final double CLOSED = 1e-4;
 
     private final NeutralRows rows;
-    private final JointRows joints;
+    private final JointPlaces places;
     private final ContactRows contacts;
     private final PackedJoints packed;
     private final EquationList equations;
@@ -69,7 +69,7 @@ final class BoundedRows {
 
     BoundedRows(
             NeutralRows rows,
-            JointRows joints,
+            JointPlaces places,
             ContactRows contacts,
             PackedJoints packed,
             EquationList equations,
@@ -77,7 +77,7 @@ final class BoundedRows {
         this.responses = responses;
         margins = new RowMargins(rows, responses);
         this.rows = rows;
-        this.joints = joints;
+        this.places = places;
         this.contacts = contacts;
         this.packed = packed;
         this.equations = equations;
@@ -122,7 +122,7 @@ final class BoundedRows {
     }
 
     private boolean isClosed(int row) {
-        return rows.place[row] <= 0 || rows.place[row] < CLOSED * joints.size(row);
+        return rows.place[row] <= 0 || rows.place[row] < CLOSED * places.size(row);
     }
 
     /** Impulse of a joint's row in the last kick, scaled to the length of this one. */
@@ -371,7 +371,7 @@ final class BoundedRows {
         for (int i = 0; i < count; i++) {
             int row = bounded[i];
             if (rows.holdsPlace[row] && rows.place[row] < 0 && !holds[row]) {
-                double size = joints.size(row);
+                double size = places.size(row);
                 double off = Math.min(most * size, -rows.place[row]);
                 if (off > seen * size) {
                     isAny = true;

@@ -29,7 +29,7 @@ final class ComposedSubsteps {
     private final JointStore joints;
     private final Motions motions;
     private final NeutralRows rows;
-    private final JointRows jointRows;
+    private final JointPlaces jointPlaces;
     private final PackedJoints packed;
     private final TautSubsteps taut;
     private final double mostPhase;
@@ -39,14 +39,14 @@ final class ComposedSubsteps {
             DataStorage data,
             Motions motions,
             NeutralRows rows,
-            JointRows jointRows,
+            JointPlaces jointPlaces,
             PackedJoints packed,
             TautSubsteps taut,
             Accuracy accuracy) {
         joints = data.jointsOrNone();
         this.motions = motions;
         this.rows = rows;
-        this.jointRows = jointRows;
+        this.jointPlaces = jointPlaces;
         this.packed = packed;
         this.taut = taut;
         boolean isLimited = accuracy.substeps() < Accuracy.EXACT.substeps();
@@ -139,7 +139,7 @@ final class ComposedSubsteps {
         double onA = length(joints.anchorAX[slot], joints.anchorAY[slot]);
         double onB = length(joints.anchorBX[slot], joints.anchorBY[slot]);
         double turned = onA * Math.abs(m[a + Motions.SPIN]) + onB * Math.abs(m[b + Motions.SPIN]);
-        double along = jointRows.along(row);
+        double along = jointPlaces.along(row);
         return along > 0 ? (length(x, y) + turned) / along : Double.POSITIVE_INFINITY;
     }
 

@@ -32,7 +32,7 @@ final class CrowdEquations {
 
     private final Motions motions;
     private final NeutralRows rows;
-    private final JointRows jointRows;
+    private final JointPlaces jointPlaces;
     private final Poses poses;
     private final EquationFactor factor;
     private final EquationList equations;
@@ -54,13 +54,13 @@ final class CrowdEquations {
     CrowdEquations(
             Motions motions,
             NeutralRows rows,
-            JointRows jointRows,
+            JointPlaces jointPlaces,
             Poses poses,
             EquationFactor factor,
             Accuracy accuracy) {
         this.motions = motions;
         this.rows = rows;
-        this.jointRows = jointRows;
+        this.jointPlaces = jointPlaces;
         this.poses = poses;
         this.factor = factor;
         equations = factor.equations();
@@ -161,7 +161,7 @@ final class CrowdEquations {
         boolean isAny = true;
         for (int i = 0; i < MOST_STEPS && isAny; i++) {
             poses.take(h);
-            jointRows.measureAnew();
+            jointPlaces.measureAnew();
             isAny = false;
             for (int group = 0; group < tree.groups; group++) {
                 if (!isPressed[group] && askPlaces(group, h) > 1) {
@@ -188,9 +188,9 @@ final class CrowdEquations {
             if (row == EquationList.NONE) {
                 factor.ask(e, 0);
             } else if (rows.isEquation(row) && rows.holdsPlace[row]) {
-                double off = jointRows.place(row) - rows.place[row];
+                double off = jointPlaces.of(row) - rows.place[row];
                 factor.ask(e, -off / h);
-                double most = missedPlace() * jointRows.size();
+                double most = missedPlace() * jointPlaces.size();
                 worst = Math.max(worst, rows.inMetres(row, off) / most);
             } else {
                 factor.ask(e, -rows.residual(row));

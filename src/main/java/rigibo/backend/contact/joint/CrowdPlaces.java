@@ -25,7 +25,7 @@ final class CrowdPlaces {
     private static final double MOST_GIVE = 1e-2;
 
     private final NeutralRows rows;
-    private final JointRows jointRows;
+    private final JointPlaces jointPlaces;
     private final EquationFactor factor;
     private final EquationList equations;
     private final AssemblyTree tree;
@@ -43,13 +43,13 @@ final class CrowdPlaces {
 
     CrowdPlaces(
             NeutralRows rows,
-            JointRows jointRows,
+            JointPlaces jointPlaces,
             EquationFactor factor,
             BoundedRows bounded,
             Responses responses,
             double seen) {
         this.rows = rows;
-        this.jointRows = jointRows;
+        this.jointPlaces = jointPlaces;
         this.factor = factor;
         equations = factor.equations();
         tree = factor.tree();
@@ -63,7 +63,7 @@ final class CrowdPlaces {
         double most = Responses.MOST_MOVED * Math.abs(h);
         responses.begin();
         responses.rest();
-        jointRows.measureAnew();
+        jointPlaces.measureAnew();
         boolean isAny = bounded.correct(most, seen);
         for (int group = 0; group < tree.groups; group++) {
             if (ask(group, most) > seen) {
@@ -144,7 +144,7 @@ final class CrowdPlaces {
             int row = equations.row[e];
             double back = 0;
             if (row != EquationList.NONE) {
-                double size = jointRows.size(row);
+                double size = jointPlaces.size(row);
                 double within = Math.max(-most * size, Math.min(most * size, off(row)));
                 back = -within - responses.along(row);
                 farthest = Math.max(farthest, Math.abs(back) / size);

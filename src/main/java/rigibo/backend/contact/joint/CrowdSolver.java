@@ -100,7 +100,7 @@ final class CrowdSolver {
             Motions motions,
             PackedContacts contacts,
             NeutralRows rows,
-            JointRows jointRows,
+            JointPlaces jointPlaces,
             Poses poses,
             PackedJoints packed,
             ContactRows contactRows,
@@ -114,10 +114,10 @@ final class CrowdSolver {
         isExact = accuracy.substeps() >= Accuracy.EXACT.substeps();
         shorter = Math.min(1, accuracy.substeps() / (double) Accuracy.GAME.substeps());
         sunk = SUNK * MissedWidth.of(accuracy);
-        held = new CrowdEquations(motions, rows, jointRows, poses, factor, accuracy);
+        held = new CrowdEquations(motions, rows, jointPlaces, poses, factor, accuracy);
         responses = new Responses(data.bodies, motions, rows, factor);
-        bounded = new BoundedRows(rows, jointRows, contactRows, packed, equations, responses);
-        places = new CrowdPlaces(rows, jointRows, factor, bounded, responses, held.missedPlace());
+        bounded = new BoundedRows(rows, jointPlaces, contactRows, packed, equations, responses);
+        places = new CrowdPlaces(rows, jointPlaces, factor, bounded, responses, held.missedPlace());
         overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
     }
 

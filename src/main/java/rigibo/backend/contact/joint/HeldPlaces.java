@@ -30,7 +30,7 @@ final class HeldPlaces {
 
     private final Motions motions;
     private final NeutralRows rows;
-    private final JointRows jointRows;
+    private final JointPlaces jointPlaces;
     private final NeutralRows ahead;
     private final JointRows rowsAhead;
     private final Poses poses;
@@ -55,23 +55,22 @@ final class HeldPlaces {
     HeldPlaces(
             Motions motions,
             NeutralRows rows,
-            JointRows jointRows,
+            JointPlaces jointPlaces,
             NeutralRows ahead,
             JointRows rowsAhead,
             Poses poses,
             RowSolver solver,
             RowElimination elimination,
-            UnsymmetricElimination foreseen,
             double tolerance) {
         this.motions = motions;
         this.rows = rows;
-        this.jointRows = jointRows;
+        this.jointPlaces = jointPlaces;
         this.ahead = ahead;
         this.rowsAhead = rowsAhead;
         this.poses = poses;
         this.solver = solver;
         this.elimination = elimination;
-        this.foreseen = foreseen;
+        foreseen = new UnsymmetricElimination(motions, rows, elimination);
         this.tolerance = tolerance;
         memory = new RowMemory(motions, rows);
     }
@@ -147,7 +146,7 @@ final class HeldPlaces {
         for (int row = 0; row < rows.count; row++) {
             boolean isStop = rows.holdsPlace[row] && !rows.isEquation(row) && rows.upper[row] > 0;
             if (isStop && !elimination.isIn(row)) {
-                double beyond = Math.min(0, rows.place[row]) - jointRows.place(row);
+                double beyond = Math.min(0, rows.place[row]) - jointPlaces.of(row);
                 if (rows.inMetres(row, beyond) > allowed() && beyond > 0) {
                     solver.letIn(row);
                     isFactored = false;
@@ -159,7 +158,7 @@ final class HeldPlaces {
 
     /** Allowed error of the place that was measured last, m. */
     private double allowed() {
-        return JointSolver.MISSED * tolerance * jointRows.size() + jointRows.roundOff();
+        return JointPlaces.MISSED * tolerance * jointPlaces.size() + jointPlaces.roundOff();
     }
 
     private void foresee(double h) {
@@ -202,7 +201,7 @@ final class HeldPlaces {
             wanted = new double[rows.bodies.length];
         }
         poses.take(h);
-        jointRows.measureAnew();
+        jointPlaces.measureAnew();
         letEnter();
         worst = 0;
         for (int i = 0; i < elimination.size(); i++) {
@@ -210,7 +209,7 @@ final class HeldPlaces {
             if (rows.holdsPlace[row]) {
                 double place = rows.place[row];
                 double kept = rows.isEquation(row) ? place : Math.min(0, place);
-                double missed = jointRows.place(row) - kept;
+                double missed = jointPlaces.of(row) - kept;
                 worst = Math.max(worst, rows.inMetres(row, missed) / allowed());
                 wanted[row] = -missed / h;
             } else {

@@ -147,4 +147,23 @@ final class JointGeometry {
         double away = bodies.y[body] - joints.parameter[ground][joint];
         return away + poses.movedY(offset) + (isOfA ? armAY : armBY);
     }
+
+    /** q₁ + ratio·q₂ − constant of a gear whose two joints this and another geometry measured. */
+    double gearError(int gear, JointGeometry second) {
+        return coordinate(joints.firstGeared[gear])
+                + joints.parameter[JointStore.RATIO][gear]
+                        * second.coordinate(joints.secondGeared[gear])
+                - joints.parameter[JointStore.CONSTANT][gear];
+    }
+
+    /** Length by which the rope of the pulley that was measured is slack, m. */
+    double ropeLeft(int pulley, int offsetA, int offsetB) {
+        double ax = ropeX(pulley, offsetA, true);
+        double ay = ropeY(pulley, offsetA, true);
+        double bx = ropeX(pulley, offsetB, false);
+        double by = ropeY(pulley, offsetB, false);
+        return joints.parameter[JointStore.ROPE][pulley]
+                - Math.sqrt(ax * ax + ay * ay)
+                - joints.parameter[JointStore.RATIO][pulley] * Math.sqrt(bx * bx + by * by);
+    }
 }

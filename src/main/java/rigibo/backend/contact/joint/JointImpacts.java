@@ -116,7 +116,6 @@ public final class JointImpacts {
         states.clear(packed.count, contacts.count);
         rows.clear();
         poses.take(0);
-        jointRows.measureAnew();
         jointRows.writeAtOnce();
         results.keepArms(poses);
         contactRows.write(1, substep);

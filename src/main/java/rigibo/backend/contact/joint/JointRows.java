@@ -1,10 +1,8 @@
 package rigibo.backend.contact.joint;
 
 import rigibo.backend.setup.JointKind;
-import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.JointStore;
-import rigibo.backend.storage.PairTolerances;
 
 /**
  * Writes the rows of joints. With p the anchors, n a direction and r the arms, a row that keeps
@@ -26,7 +24,6 @@ final class JointRows {
 
     private static final JointKind[] KINDS = JointKind.values();
 
-    private final Bodies bodies;
     private final JointStore joints;
     private final NeutralRows rows;
     private final PackedJoints packed;
@@ -34,6 +31,9 @@ final class JointRows {
     private final JointGeometry geometry;
     private final JointGeometry other;
     private final SpringRows springs;
+
+    /** The places of the rows that were written. */
+    final JointPlaces places;
 
     /** The joint whose rows are being written: its number in the island, its slot, its offsets. */
     private int joint;
@@ -56,7 +56,6 @@ final class JointRows {
             PackedJoints packed,
             Poses poses,
             RowStates states) {
-        bodies = data.bodies;
         joints = data.jointsOrNone();
         this.rows = rows;
         this.packed = packed;
@@ -64,6 +63,7 @@ final class JointRows {
         geometry = new JointGeometry(data.bodies, joints, poses);
         other = new JointGeometry(data.bodies, joints, poses);
         springs = new SpringRows(joints, rows);
+        places = new JointPlaces(data, rows, packed, poses);
     }
 
     /**
@@ -90,6 +90,7 @@ final class JointRows {
     }
 
     private void writeAll(double kickLength, double driftLength, boolean isLast) {
+        places.measureAnew();
         kick = kickLength;
         drift = driftLength;
         springs.begin(kickLength, driftLength, isLast);
@@ -355,17 +356,11 @@ final class JointRows {
         int row = row(X);
         deriveCoordinate(row, first, geometry, firstA, a, 1);
         deriveCoordinate(row, second, other, secondA, b, ratio);
-        equation(row, gearError(first, second, ratio));
+        equation(row, geometry.gearError(slot, other));
         if (joints.kind[first] == JointKind.REVOLUTE.ordinal()) {
             // The sliding of a rack is counted by the angle that it turns.
             rows.unit[row] = rows.reach(row);
         }
-    }
-
-    private double gearError(int first, int second, double ratio) {
-        return geometry.coordinate(first)
-                + ratio * other.coordinate(second)
-                - joints.parameter[JointStore.CONSTANT][slot];
     }
 
     private void pulley() {
@@ -373,7 +368,7 @@ final class JointRows {
         int row = row(UPPER);
         pull(row, a, true, 1);
         pull(row, b, false, ratio);
-        push(row, ropeLeft(ratio));
+        push(row, geometry.ropeLeft(slot, a, b));
     }
 
     private void pull(int row, int offset, boolean isOfA, double factor) {
@@ -389,102 +384,8 @@ final class JointRows {
         }
     }
 
-    private double ropeLeft(double ratio) {
-        double ax = geometry.ropeX(slot, a, true);
-        double ay = geometry.ropeY(slot, a, true);
-        double bx = geometry.ropeX(slot, b, false);
-        double by = geometry.ropeY(slot, b, false);
-        return joints.parameter[JointStore.ROPE][slot]
-                - Math.sqrt(ax * ax + ay * ay)
-                - ratio * Math.sqrt(bx * bx + by * by);
-    }
-
-    /** Discards measurements, since poses have been taken anew. */
-    void measureAnew() {
-        joint = NeutralRows.NONE;
-    }
-
-    /** Distance of the anchors along the axis of a row's joint, at the poses taken, m. */
-    double along(int row) {
-        place(row);
-        return geometry.along;
-    }
-
     /** Whether a spring is too stiff for its substep. */
     boolean areAnyStiff() {
         return springs.areAnyStiff;
-    }
-
-    /** Value of a joint's row at the poses taken, m or rad. */
-    double place(int row) {
-        if (joint != rows.joint[row]) {
-            joint = rows.joint[row];
-            slot = packed.slot[joint];
-            a = packed.offsetA[joint];
-            b = packed.offsetB[joint];
-            geometry.measure(slot, a, b);
-        }
-        return switch (rows.part[row]) {
-            case X -> placeOfX();
-            case Y -> geometry.dy;
-            case ANGLE -> geometry.angle;
-            case LOWER -> geometry.coordinate(slot) - joints.lower[slot];
-            default -> placeOfUpper();
-        };
-    }
-
-    private double placeOfX() {
-        return switch (KINDS[joints.kind[slot]]) {
-            case REVOLUTE, WELD -> geometry.dx;
-            case DISTANCE -> geometry.along - joints.parameter[JointStore.LENGTH][slot];
-            case GEAR -> placeOfGear();
-            default -> geometry.across();
-        };
-    }
-
-    private double placeOfGear() {
-        int first = joints.firstGeared[slot];
-        int second = joints.secondGeared[slot];
-        geometry.measure(first, packed.offset(joints.bodyA[first]), a);
-        other.measure(second, packed.offset(joints.bodyA[second]), b);
-        return gearError(first, second, joints.parameter[JointStore.RATIO][slot]);
-    }
-
-    private double placeOfUpper() {
-        return joints.kind[slot] == JointKind.PULLEY.ordinal()
-                ? ropeLeft(joints.parameter[JointStore.RATIO][slot])
-                : joints.upper[slot] - geometry.coordinate(slot);
-    }
-
-    /** Size of a row's joint at the poses taken, in units of the row, m or rad. */
-    double size(int row) {
-        place(row);
-        return size() / rows.unit[row];
-    }
-
-    /**
-     * Size of the joint that was measured last, m; errors are shares of it. It is the sum of the
-     * movable bodies' arms and of the distance between the anchors, but at least a body's width,
-     * since a wheel is held at its centre. The distance of a fixed body's centre does not count.
-     */
-    double size() {
-        double size = Math.abs(geometry.dx) + Math.abs(geometry.dy);
-        if (a != 0) {
-            size += Math.abs(geometry.armAX) + Math.abs(geometry.armAY);
-        }
-        if (b != 0) {
-            size += Math.abs(geometry.armBX) + Math.abs(geometry.armBY);
-        }
-        return Math.max(size, PairTolerances.width(bodies, joints.bodyA[slot], joints.bodyB[slot]));
-    }
-
-    /** Round-off of the place of the joint that was measured last, m. */
-    double roundOff() {
-        return JointSolver.ROUND_OFF
-                * (size()
-                        + Math.abs(geometry.armAX)
-                        + Math.abs(geometry.armAY)
-                        + Math.abs(geometry.armBX)
-                        + Math.abs(geometry.armBY));
     }
 }

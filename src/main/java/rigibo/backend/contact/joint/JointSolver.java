@@ -10,35 +10,24 @@ import rigibo.backend.setup.SolveMethod;
 import rigibo.backend.storage.DataStorage;
 
 /**
- * Solves the joints of an island, with its contacts, for one substep after the other: velocities in
- * the middle of a substep are such that what joints hold is held at its end (J.-P. Ryckaert, G.
- * Ciccotti and H. Berendsen, Numerical integration of the Cartesian equations of motion of a system
- * with constraints, 1977), and after the last kick they are along what is held (H. C. Andersen,
+ * Solves the joints of an island with its contacts, substep by substep. Velocities in the middle of
+ * a substep are such that joints hold their places at its end (SHAKE: J.-P. Ryckaert, G. Ciccotti
+ * and H. Berendsen, Numerical integration of the Cartesian equations of motion of a system with
+ * constraints, 1977). After the last kick, velocities comply with the joints (H. C. Andersen,
  * Rattle, 1983). Both are symmetric in time and symplectic, so that a swing keeps its energy.
+ *
+ * <p>It packs the island and writes its rows; {@link WholeSolver} solves small islands, {@link
+ * CrowdSolver} large ones.
  */
 public final class JointSolver {
 
-    /** Allowed error of a place, as a share of the joint's arms and of the tolerance. */
-    static final double MISSED = 1e-5;
-
-    /** How far a place is off by round-off alone, as a share of the joint's arms. */
-    static final double ROUND_OFF = 4e-16;
-
-    /** Share of the fastest speed that may be left unsolved, per metre of the tolerance. */
-    private static final double SETTLED = 1e-3;
-
     /**
-     * What friction gives way by where rows have no answer otherwise, as shares of its response:
-     * the second where the first is not enough.
-     */
-    private static final double[] GIVES_WAY = {1e-3, 0.1};
-
-    /**
-     * Share of that where bodies hardly move before a kick, by at most so many times less than
-     * after it: what rows give way by adds up along a chain, and would keep it from resting.
+     * Factor on the residual that counts as solved if bodies hardly move before a kick: what rows
+     * give way by adds up along a chain, and would keep it from resting.
      */
     private static final double FINER = 1e-3;
 
+    /** Largest speed before a kick that is hardly any, as a share of that after it. */
     private static final double HARDLY = 1e-3;
 
     /** The stops of the packed island. */
@@ -52,19 +41,14 @@ public final class JointSolver {
     private final RowStates states = new RowStates();
 
     private final NeutralRows rows;
-    private final HeldPlaces places;
-    private final PlaceRecovery recovery;
-    private final JointedOverlap overlap;
     private final PackedJoints packed;
     private final Poses poses;
     private final JointRows jointRows;
     private final ContactRows contactRows;
     private final RowElimination elimination;
-    private final RowSolver solver;
     private final JointResults results;
     private final Motions motions;
-    private final RowWork work;
-    private final RowPasses passes;
+    private final WholeSolver whole;
     private final CrowdSolver crowd;
 
     /** Axes along which bodies are kept from moving, or null where none is locked. */
@@ -75,7 +59,6 @@ public final class JointSolver {
 
     private final int substeps;
     private final JointBudget budget;
-    private final AllowedWork allowed;
 
     /** Whether the packed island has anything that only pushes. */
     private boolean haveStops;
@@ -95,7 +78,6 @@ public final class JointSolver {
     private double keptKick;
 
     private final TautInertia inertia;
-    private final double tolerance;
 
     public JointSolver(
             DataStorage data,
@@ -109,63 +91,68 @@ public final class JointSolver {
         locks = areLocks ? new LockedAxes(data.bodies, motions) : null;
         rows = new NeutralRows(motions, locks);
         lockedOverlap = areLocks ? new RowOverlap(motions, contacts, rows, accuracy) : null;
-        work = new RowWork(motions, rows);
-
         packed = new PackedJoints(data, builder);
         poses = new Poses(data.bodies, motions);
         jointRows = new JointRows(data, rows, packed, poses, states);
         contactRows = new ContactRows(motions, contacts, rows, states);
         elimination = new RowElimination(motions, rows);
-        solver = new RowSolver(motions, rows, elimination, accuracy);
-        NeutralRows ahead = new NeutralRows(motions, locks);
-        JointRows rowsAhead = new JointRows(data, ahead, packed, poses, states);
-        UnsymmetricElimination foreseen = new UnsymmetricElimination(motions, rows, elimination);
-        places =
-                new HeldPlaces(
-                        motions,
-                        rows,
-                        jointRows,
-                        ahead,
-                        rowsAhead,
-                        poses,
-                        solver,
-                        elimination,
-                        foreseen,
-                        accuracy.impactTolerance());
-        recovery =
-                new PlaceRecovery(
-                        data.bodies,
-                        motions,
-                        rows,
-                        jointRows,
-                        poses,
-                        elimination,
-                        accuracy.impactTolerance());
-        overlap = new JointedOverlap(data.bodies, motions, contacts, rows, elimination, accuracy);
+        RowSolver solver = new RowSolver(motions, rows, elimination, accuracy);
         inertia = new TautInertia(data, motions, packed, poses);
         results = new JointResults(data, packed, rows);
         budget = new JointBudget(data, rows, elimination, accuracy);
-        allowed = new AllowedWork(motions, work);
+        JointPlaces places = jointRows.places;
         needed =
                 new JointSubsteps(
-                        data, motions, rows, jointRows, packed, contactRows, budget, accuracy);
-        tolerance = accuracy.impactTolerance();
+                        data, motions, rows, places, packed, contactRows, budget, accuracy);
+        NeutralRows ahead = new NeutralRows(motions, locks);
+        HeldPlaces held =
+                new HeldPlaces(
+                        motions,
+                        rows,
+                        places,
+                        ahead,
+                        new JointRows(data, ahead, packed, poses, states),
+                        poses,
+                        solver,
+                        elimination,
+                        accuracy.impactTolerance());
+        whole =
+                new WholeSolver(
+                        motions,
+                        rows,
+                        packed,
+                        contactRows,
+                        elimination,
+                        solver,
+                        held,
+                        new PlaceRecovery(
+                                data.bodies,
+                                motions,
+                                rows,
+                                places,
+                                poses,
+                                elimination,
+                                accuracy.impactTolerance()),
+                        new JointedOverlap(
+                                data.bodies, motions, contacts, rows, elimination, accuracy),
+                        budget,
+                        needed,
+                        accuracy.impactTolerance());
         crowd =
                 new CrowdSolver(
                         data,
                         motions,
                         contacts,
                         rows,
-                        jointRows,
+                        places,
                         poses,
                         packed,
                         contactRows,
                         accuracy);
-        passes = new RowPasses(rows);
-        stops = new Stops(data, motions, contacts, rows, jointRows, packed, tolerance);
-        strikes =
-                new Strikes(
-                        motions, contacts, rows, jointRows, packed, poses, states, stops, fresh);
+        stops =
+                new Stops(
+                        data, motions, contacts, rows, places, packed, accuracy.impactTolerance());
+        strikes = new Strikes(motions, contacts, rows, places, packed, poses, states, stops, fresh);
         impacts =
                 new JointImpacts(
                         data,
@@ -203,17 +190,12 @@ public final class JointSolver {
         needed.begin(areMany);
         strikes.watchNothing();
         stops.begin(2 * firstKick);
-        places.begin();
-        solver.beginIsland();
+        whole.beginIsland();
         writeAtRest(firstKick, 2 * firstKick);
-        haveStops = contactRows.areAny();
-        areWritten = !haveStops;
-        for (int row = 0; row < rows.count; row++) {
-            haveStops |= stops.isStop(row);
-        }
+        areWritten = !contactRows.areAny();
+        haveStops = contactRows.areAny() || stops.areAny();
         contactRows.write(2 * firstKick, 0);
         budget.begin(areMany, substepsOfIsland);
-        passes.begin();
         crowd.beginIsland(substeps, substepsOfIsland);
         kicked = firstKick;
     }
@@ -225,7 +207,7 @@ public final class JointSolver {
 
     /** Number of row solutions by passes over the packed island. */
     public long rowSolves() {
-        return passes.solves() + crowd.takeSolves();
+        return whole.solves() + crowd.takeSolves();
     }
 
     /** The method that solves the packed island. */
@@ -291,7 +273,7 @@ public final class JointSolver {
             contactRows.write(h, substep);
         }
         areWritten = false;
-        jointRows.measureAnew();
+        jointRows.places.measureAnew();
         stops.ask(lastKick);
         strikes.find(h, areOfNow, isComposed);
     }
@@ -381,105 +363,31 @@ public final class JointSolver {
      * seconds.
      */
     public void solve(double h, int substep, double fastest, double noise) {
-        if (!budget.isWhole()) {
-            crowd.solve(h, substep, before, fastest, noise, finer(fastest));
-            crowd.holdPlaces(h);
-            results.add();
-            return;
-        }
-        contactRows.write(h, substep);
-        double settled = settled(fastest);
-        work.begin();
-        boolean isSolved = solveRows(settled);
-        if (needed.isTaut()) {
-            // Kicks along the rows of the start would tremble against what inertia has answered.
-            places.leave();
+        double finer = finer(fastest);
+        if (budget.isWhole()) {
+            whole.solve(h, substep, share, fastest, noise, finer);
         } else {
-            places.hold(h, settled, contactRows.carry(), budget.isSmall());
+            crowd.solve(h, substep, before, fastest, noise, finer);
+            crowd.holdPlaces(h);
         }
-        boolean isGained = allowed.isExceeded(places.areHeld(), noise);
-        if (isGained && !contactRows.carry() || areStrained(fastest)) {
-            places.release();
-        }
-        secure(isSolved, isGained, settled);
-        finish();
-    }
-
-    /**
-     * Solves the rows; whether that could be done. A load and the friction that it makes may hold a
-     * body from both sides, as a wedge is held: rows that ask for speeds which differ by the least
-     * then have no answer. Their friction gives way a little.
-     */
-    private boolean solveRows(double settled) {
-        solver.beginAsBefore(packed, share);
-        boolean isSolved = solver.solve(settled);
-        for (int i = 0; i < GIVES_WAY.length && !isSolved && mayGiveWay(); i++) {
-            work.takeBack();
-            solver.beginSoftened(packed, share, GIVES_WAY[i]);
-            isSolved = solver.solve(settled);
-        }
-        return isSolved;
-    }
-
-    private boolean mayGiveWay() {
-        return contactRows.areAny() && !elimination.isSpent() && !needed.isTaut();
-    }
-
-    /** Whether contacts carry stress; what is taut carries any load without contradiction. */
-    private boolean areStrained(double fastest) {
-        return !needed.isTaut() && contactRows.areStrained(fastest);
-    }
-
-    /**
-     * What could not be solved, or would do work, is solved by passes from nothing on, which never
-     * do, and then held by the joints.
-     */
-    private void secure(boolean isSolved, boolean isGained, double settled) {
-        boolean areAny = isSolved ? contactRows.carry() : contactRows.areAny();
-        boolean mayDoWork = areAny || elimination.isSpent() || allowed.isAnyDriven(isSolved);
-        boolean isNone = isSolved && !isGained && allowed.isNone();
-        if (mayDoWork && !isNone) {
-            work.takeBack();
-            work.rest();
-            passes.run(budget.mostPasses(), settled);
-            solver.holdEquations();
-        }
-    }
-
-    /** Speed that may be left unsolved, m/s, where the fastest body goes so fast after a kick. */
-    private double settled(double fastest) {
-        return finer(fastest) * SETTLED * tolerance * fastest;
-    }
-
-    /** Share of the usual that may be left unsolved. */
-    private double finer(double fastest) {
-        return before < HARDLY * fastest ? FINER : 1;
+        results.add();
     }
 
     /** Solves them at the end of the last kick, after which nothing drifts. */
     public void solveAtRest(double h, int substep, double fastest, double noise) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.holdsPlace[row] && !rows.isEquation(row)) {
-                // What carried a load carries on, whatever gap of round-off is left.
-                rows.target[row] = stops.load(row) > 0 ? 0 : -Math.max(0, rows.place[row]) / h;
-            }
+        stops.aimAtRest(h);
+        double finer = finer(fastest);
+        if (budget.isWhole()) {
+            whole.solveAtRest(h, substep, share, fastest, noise, finer);
+        } else {
+            crowd.solve(h, substep, before, fastest, noise, finer);
         }
-        if (!budget.isWhole()) {
-            crowd.solve(h, substep, before, fastest, noise, finer(fastest));
-            results.add();
-            return;
-        }
-        contactRows.writeAtRest(h, substep);
-        double settled = settled(fastest);
-        work.begin();
-        boolean isSolved = solveRows(settled);
-        secure(isSolved, allowed.isExceeded(false, noise), settled);
-        finish();
+        results.add();
     }
 
-    private void finish() {
-        contactRows.store();
-        results.add();
+    /** Factor on the residual that counts as solved. */
+    private double finer(double fastest) {
+        return before < HARDLY * fastest ? FINER : 1;
     }
 
     /**
@@ -494,7 +402,7 @@ public final class JointSolver {
     /** Removes overlap with joints held, after a drift of h seconds. */
     public void takeOverlapBack(double h) {
         if (budget.isWhole()) {
-            overlap.correct(h);
+            whole.correctOverlap(h);
         } else {
             crowd.correctOverlap(h);
         }
@@ -505,13 +413,8 @@ public final class JointSolver {
      * does so before the kick.
      */
     public void correct(double h) {
-        if (!budget.isWhole()) {
-            return;
-        }
-        if (needed.isWedged()) {
-            recovery.correctTaut(h);
-        } else {
-            recovery.correct(h);
+        if (budget.isWhole()) {
+            whole.correctPlaces(h);
         }
     }
 

@@ -29,13 +29,13 @@ public final class JointSubsteps {
             DataStorage data,
             Motions motions,
             NeutralRows rows,
-            JointRows jointRows,
+            JointPlaces jointPlaces,
             PackedJoints packed,
             ContactRows contactRows,
             JointBudget budget,
             Accuracy accuracy) {
         taut = new TautSubsteps(data, accuracy);
-        moving = new ComposedSubsteps(data, motions, rows, jointRows, packed, taut, accuracy);
+        moving = new ComposedSubsteps(data, motions, rows, jointPlaces, packed, taut, accuracy);
         springs = new SpringSubsteps(data.jointsOrNone(), rows, packed, accuracy);
         this.contactRows = contactRows;
         this.budget = budget;

@@ -82,7 +82,6 @@ public final class JointsAtRest {
         poses.take(0);
         jointRows.write(dt, dt);
         results.keepArms(poses);
-        jointRows.measureAnew();
         for (int row = 0; row < rows.count; row++) {
             double impulse = packed.impulseOf(rows.joint[row], rows.part[row]);
             rows.impulse[row] = isSoft(row) ? ofSpring(row) : impulse;
@@ -125,8 +124,11 @@ public final class JointsAtRest {
 
     private boolean isAtPlace(int row) {
         double off = rows.inMetres(row, rows.place[row]);
-        jointRows.place(row);
-        boolean isAt = off <= OFF_PLACE * tolerance * jointRows.size() + jointRows.roundOff();
+        jointRows.places.of(row);
+        boolean isAt =
+                off
+                        <= OFF_PLACE * tolerance * jointRows.places.size()
+                                + jointRows.places.roundOff();
         if (rows.isEquation(row)) {
             return isAt;
         }

@@ -47,7 +47,7 @@ final class PlaceRecovery {
     private final Bodies bodies;
     private final Motions motions;
     private final NeutralRows rows;
-    private final JointRows jointRows;
+    private final JointPlaces jointPlaces;
     private final Poses poses;
     private final RowElimination elimination;
     private final Displacement moved;
@@ -69,14 +69,14 @@ final class PlaceRecovery {
             Bodies bodies,
             Motions motions,
             NeutralRows rows,
-            JointRows jointRows,
+            JointPlaces jointPlaces,
             Poses poses,
             RowElimination elimination,
             double tolerance) {
         this.bodies = bodies;
         this.motions = motions;
         this.rows = rows;
-        this.jointRows = jointRows;
+        this.jointPlaces = jointPlaces;
         this.poses = poses;
         this.elimination = elimination;
         moved = new Displacement(motions);
@@ -117,7 +117,7 @@ final class PlaceRecovery {
     /** Asks for all held places to be closed; returns whether any error is larger than allowed. */
     private boolean asks(double h) {
         poses.take(0);
-        jointRows.measureAnew();
+        jointPlaces.measureAnew();
         if (wanted.length < rows.count) {
             wanted = new double[rows.bodies.length];
             ofLimit = new double[rows.bodies.length];
@@ -180,14 +180,14 @@ final class PlaceRecovery {
 
     /** Asks for a row's error to be removed; returns whether it is larger than allowed. */
     private boolean ask(int row, double h) {
-        double place = jointRows.place(row);
+        double place = jointPlaces.of(row);
         double off = rows.isEquation(row) ? place : Math.min(0, place);
-        double size = jointRows.size() / rows.unit[row];
+        double size = jointPlaces.size() / rows.unit[row];
         double over = Math.copySign(Math.max(0, Math.abs(off) - kept * size), off);
         double most = Math.max(SMALL, Recovery.MOST_PUSH * Math.abs(h)) * size;
         wanted[row] = -Math.max(-most, Math.min(most, over));
-        double missed = JointSolver.MISSED * tolerance * size;
-        return Math.abs(over) > missed + 2 * jointRows.roundOff() / rows.unit[row];
+        double missed = JointPlaces.MISSED * tolerance * size;
+        return Math.abs(over) > missed + 2 * jointPlaces.roundOff() / rows.unit[row];
     }
 
     /** Removes contacts from the set; overlap that results is removed separately. */

@@ -28,7 +28,7 @@ final class Stops {
     private final Motions motions;
     private final PackedContacts contacts;
     private final NeutralRows rows;
-    private final JointRows jointRows;
+    private final JointPlaces jointPlaces;
     private final PackedJoints packed;
     private final double tolerance;
 
@@ -51,7 +51,7 @@ final class Stops {
             Motions motions,
             PackedContacts contacts,
             NeutralRows rows,
-            JointRows jointRows,
+            JointPlaces jointPlaces,
             PackedJoints packed,
             double tolerance) {
         bodies = data.bodies;
@@ -59,7 +59,7 @@ final class Stops {
         this.motions = motions;
         this.contacts = contacts;
         this.rows = rows;
-        this.jointRows = jointRows;
+        this.jointPlaces = jointPlaces;
         this.packed = packed;
         this.tolerance = tolerance;
     }
@@ -99,12 +99,34 @@ final class Stops {
         return part == PackedContacts.IMPULSE0 || part == PackedContacts.IMPULSE1;
     }
 
+    /** Whether any of the rows only pushes. */
+    boolean areAny() {
+        for (int row = 0; row < rows.count; row++) {
+            if (isStop(row)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Sets the targets of limits for a kick after which nothing drifts, as if h seconds were left.
+     * A limit that carried a load stays loaded, whatever gap of round-off is left.
+     */
+    void aimAtRest(double h) {
+        for (int row = 0; row < rows.count; row++) {
+            if (rows.holdsPlace[row] && !rows.isEquation(row)) {
+                rows.target[row] = load(row) > 0 ? 0 : -Math.max(0, rows.place[row]) / h;
+            }
+        }
+    }
+
     /** Distance from its stop up to which a row counts as on it. */
     double tolerance(int row) {
         if (rows.joint[row] == NeutralRows.NONE) {
             return tolerance * width(row);
         }
-        return tolerance * jointRows.size(row);
+        return tolerance * jointPlaces.size(row);
     }
 
     private double width(int row) {
@@ -144,8 +166,8 @@ final class Stops {
         } else {
             int slot = packed.slot[joint];
             if (joints.kind[slot] == JointKind.REVOLUTE.ordinal()) {
-                jointRows.place(row);
-                pulled /= jointRows.size();
+                jointPlaces.of(row);
+                pulled /= jointPlaces.size();
             } else {
                 int a = joints.bodyA[slot];
                 lift *= PairTolerances.width(bodies, a, joints.bodyB[slot]);

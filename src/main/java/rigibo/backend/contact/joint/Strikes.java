@@ -30,7 +30,7 @@ public final class Strikes {
     private final Motions motions;
     private final PackedContacts contacts;
     private final NeutralRows rows;
-    private final JointRows jointRows;
+    private final JointPlaces jointPlaces;
     private final PackedJoints packed;
     private final Poses poses;
     private final RowStates states;
@@ -61,7 +61,7 @@ public final class Strikes {
             Motions motions,
             PackedContacts contacts,
             NeutralRows rows,
-            JointRows jointRows,
+            JointPlaces jointPlaces,
             PackedJoints packed,
             Poses poses,
             RowStates states,
@@ -70,7 +70,7 @@ public final class Strikes {
         this.motions = motions;
         this.contacts = contacts;
         this.rows = rows;
-        this.jointRows = jointRows;
+        this.jointPlaces = jointPlaces;
         this.packed = packed;
         this.poses = poses;
         this.states = states;
@@ -212,7 +212,7 @@ public final class Strikes {
      */
     public double first(double h) {
         poses.take(0);
-        jointRows.measureAnew();
+        jointPlaces.measureAnew();
         isAnySoft = false;
         double first = NEVER;
         for (int i = 0; i < count; i++) {
@@ -238,7 +238,7 @@ public final class Strikes {
 
     private double place(int i) {
         return joint[i] != NeutralRows.NONE
-                ? jointRows.place(row[i])
+                ? jointPlaces.of(row[i])
                 : motions.gap(contacts, contact[i], point(i));
     }
 
@@ -254,7 +254,7 @@ public final class Strikes {
      */
     public double untilFirst(double left) {
         poses.take(0);
-        jointRows.measureAnew();
+        jointPlaces.measureAnew();
         double first = NEVER;
         for (int i = 0; i < count; i++) {
             if (least[i] < NEVER) {
@@ -268,7 +268,7 @@ public final class Strikes {
         double closing;
         double place;
         if (joint[i] != NeutralRows.NONE) {
-            place = jointRows.place(row[i]);
+            place = jointPlaces.of(row[i]);
             closing = -rows.speed(row[i]);
         } else {
             int point = point(i);

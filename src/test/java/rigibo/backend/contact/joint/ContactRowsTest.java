@@ -6,7 +6,10 @@ import org.junit.jupiter.api.Test;
 
 import rigibo.backend.contact.row.Motions;
 
-/** When the loads of contacts are stress: by a load on a body of 2 kg, which j N·s make j/2 m/s. */
+/**
+ * The load from which contacts count as strained. A load of j N·s gives a body of 2 kg a speed of
+ * j/2 m/s.
+ */
 class ContactRowsTest {
 
     private static final int BODY = OneBody.BODY;

@@ -7,8 +7,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Solutions of q̈ + 2λ·q̇ + ω²·q = 0 by the roots of r² + 2λ·r + ω² = 0. Times of drifts are of the
- * order of a second and so is what is compared, so that 1e-12 is some thousand times round-off.
+ * Kicks against the solutions of q̈ + 2λ·q̇ + ω²·q = 0 by the roots of r² + 2λ·r + ω² = 0. Times
+ * and compared values are of the order of 1, so that 1e-12 is some thousand times round-off.
  */
 class DampedSwingTest {
 
@@ -38,7 +38,7 @@ class DampedSwingTest {
         assertThat(X + next * after).isCloseTo(later, within(ROUND_OFF));
     }
 
-    /** At a start the velocity is that of now, and at an end it is to be. */
+    /** Velocities at the start and at the end are the present ones. */
     @ParameterizedTest
     @CsvSource({"9, 0.5, 0.1", "9, 5, 0.1", "9, 0.5, -0.1"})
     void startsAndEndsHaveVelocitiesOfNow(double square, double decay, double drift) {
@@ -61,7 +61,7 @@ class DampedSwingTest {
         assertThat(X + next * time).isCloseTo(truth, within(ROUND_OFF));
     }
 
-    /** The place after a time, from X and V on. */
+    /** The displacement after a time, from X and V. */
     private static double place(double square, double decay, double time) {
         double root = Math.sqrt(Math.abs(square - decay * decay));
         if (square > decay * decay) {

@@ -148,7 +148,10 @@ class EquationFactorTest {
         isSolved(random);
     }
 
-    /** More equations than one copy of the hub takes: it is solved as several, welded. */
+    /**
+     * The hub has more equations than one copy takes, so that it is solved as several welded
+     * copies.
+     */
     @ParameterizedTest(name = "seed {0}")
     @ValueSource(longs = {10, 11, 12})
     void hubsAreSolvedAsAWhole(long seed) {
@@ -161,7 +164,7 @@ class EquationFactorTest {
         isSolved(random);
     }
 
-    /** As many as there is room for without those that weld the copies of the hub. */
+    /** The hub has as many equations as arrays have room for without the welds of its copies. */
     @ParameterizedTest(name = "{0} hinges")
     @ValueSource(ints = {13, 16, 28, 31, 32, 60, 64})
     void hubsOfAsManyEquationsAsThereIsRoomForAreSolvedAsAWhole(int hinges) {
@@ -175,9 +178,8 @@ class EquationFactorTest {
     }
 
     /**
-     * The rows of an island's contacts come and go between two lists of the same equations, and the
-     * room for them grows: who has listed the equations before is to answer as who lists them
-     * first.
+     * Contacts come and go between two lists of the same equations, so that arrays grow. A factor
+     * that has listed the equations before must solve as one that lists them first.
      */
     @ParameterizedTest(name = "{0} links")
     @ValueSource(ints = {4, 6, 8, 10, 12, 15})
@@ -202,7 +204,7 @@ class EquationFactorTest {
         }
     }
 
-    /** Twice the joints on one body: at most 2.2 times the work and the room. */
+    /** Twice the joints on one body take at most 2.2 times the work and the room. */
     @ParameterizedTest(name = "{0} joints")
     @ValueSource(ints = {200, 800})
     void hubsTakeWorkAndRoomThatGrowWithTheirJoints(int joints) {
@@ -226,7 +228,9 @@ class EquationFactorTest {
         return factor;
     }
 
-    /** A chain of n links takes work that grows with n: twice the links, at most 2.2 times. */
+    /**
+     * The work of a chain of n links grows with n: twice the links take at most 2.2 times the work.
+     */
     @ParameterizedTest(name = "{0} links")
     @ValueSource(ints = {64, 256})
     void chainsTakeWorkThatGrowsWithTheirLinks(int links) {

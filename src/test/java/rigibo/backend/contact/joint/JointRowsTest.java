@@ -37,9 +37,8 @@ import rigibo.backend.storage.DataStorage;
 import java.util.SplittableRandom;
 
 /**
- * Rows of joints of every kind, at poses at random. The derivative of a row is that of the place
- * which it keeps: a central difference by 10⁻⁶ has errors of 10⁻¹⁰ by round-off and 10⁻¹² by
- * curvature.
+ * Rows of joints of every kind, at random poses. The derivative of a row is that of its place: a
+ * central difference by 10⁻⁶ has errors of 10⁻¹⁰ by round-off and 10⁻¹² by curvature.
  */
 class JointRowsTest {
 
@@ -105,8 +104,8 @@ class JointRowsTest {
         double before = motions.data[at];
         motions.data[at] = before + by;
         poses.take(0);
-        jointRows.measureAnew();
-        double place = jointRows.place(row);
+        jointRows.places.measureAnew();
+        double place = jointRows.places.of(row);
         motions.data[at] = before;
         return place;
     }
@@ -135,7 +134,7 @@ class JointRowsTest {
         }
     }
 
-    /** All rows that hold a place, with so many of them. */
+    /** All rows that hold a place; fails unless there are {@code places} of them. */
     private void assertAllFollowTheirPlaces(JointDefinition definition, int places) {
         pool.join(definition);
         write(1);
@@ -146,9 +145,10 @@ class JointRowsTest {
             for (int row = 0; row < rows.count; row++) {
                 if (rows.holdsPlace[row]) {
                     held++;
-                    jointRows.measureAnew();
+                    jointRows.places.measureAnew();
                     poses.take(0);
-                    assertThat(rows.place[row]).isCloseTo(jointRows.place(row), within(ROUND_OFF));
+                    assertThat(rows.place[row])
+                            .isCloseTo(jointRows.places.of(row), within(ROUND_OFF));
                     assertDerivatives(row);
                 }
             }
@@ -204,7 +204,7 @@ class JointRowsTest {
         }
     }
 
-    /** As they are made nothing is off, and limits are as far away as stated. */
+    /** At the start no place is off, and limits are as far away as stated. */
     @ParameterizedTest
     @EnumSource(Kind.class)
     void jointsBeginWithoutError(Kind kind) {
@@ -248,8 +248,8 @@ class JointRowsTest {
         assertThat(rows.holdsPlace[gear]).isTrue();
         assertDerivatives(gear);
         poses.take(0);
-        jointRows.measureAnew();
-        assertThat(rows.place[gear]).isCloseTo(jointRows.place(gear), within(ROUND_OFF));
+        jointRows.places.measureAnew();
+        assertThat(rows.place[gear]).isCloseTo(jointRows.places.of(gear), within(ROUND_OFF));
     }
 
     /** A wheel's motor turns it, those of others drive their coordinate; all within ± F·h. */
@@ -312,7 +312,7 @@ class JointRowsTest {
         for (int row = 0; row < 3; row++) {
             assertThat(rows.target[row]).isZero();
         }
-        // In an impact no bounded force does anything.
+        // Bounded forces have no effect in an impact.
         rows.clear();
         jointRows.writeAtOnce();
         assertThat(rows.count).isZero();
@@ -345,14 +345,14 @@ class JointRowsTest {
             assertThat(derivative(1, offset + column))
                     .isCloseTo((y[1] - y[0]) / (2 * STEP), within(DIFFERENCE));
         }
-        // It gives way as a damped spring does that is solved at the end of the drift.
+        // Its compliance is that of a damped spring solved at the end of the drift.
         double k = data.joints.stiffness[0];
         double damping = data.joints.damping[0];
         double give = 1 / (KICK * (damping + DRIFT * k));
         assertThat(rows.give[0]).isCloseTo(give, within(1e-9 * give));
     }
 
-    /** Limits at the same place are one equation; in an impact they are as well. */
+    /** Equal limits are one equation, in an impact as well. */
     @Test
     void equalLimitsAreAnEquation() {
         pool.join(RevoluteJoint.at(a, b, 0.9, 0.1).limits(0.3, 0.3));
@@ -363,7 +363,7 @@ class JointRowsTest {
         assertThat(rows.place[2]).isCloseTo(-0.3, within(ROUND_OFF));
     }
 
-    /** OPEN: it cannot push; HELD: an equation. */
+    /** An open stop cannot push; a held one is an equation. */
     @Test
     void stopsMayBeOpenOrHeld() {
         pool.join(RevoluteJoint.at(a, b, 0.9, 0.1).limits(-1, 2, 0.25));

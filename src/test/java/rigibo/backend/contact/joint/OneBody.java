@@ -5,12 +5,12 @@ import rigibo.backend.contact.row.Motions;
 /** The motions of one body beside the ground, for rows that push it. */
 final class OneBody {
 
-    /** Its offset in the motions. */
+    /** The body's offset in the motions. */
     static final int BODY = Motions.STRIDE;
 
     private OneBody() {}
 
-    /** A body of so many kg, and as many kg·m², at rest. */
+    /** Packs one body at rest, whose mass in kg and inertia in kg·m² are the same number. */
     static Motions of(double mass) {
         Motions motions = new Motions(true);
         motions.data = new double[2 * Motions.STRIDE];

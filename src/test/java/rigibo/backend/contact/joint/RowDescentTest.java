@@ -8,7 +8,7 @@ import rigibo.backend.contact.row.Motions;
 
 import java.util.SplittableRandom;
 
-/** Rows with bounds among a few bodies, as many as can contradict each other. */
+/** Random rows with bounds on so few bodies that rows contradict each other. */
 class RowDescentTest {
 
     private static final int BODIES = 6;
@@ -74,9 +74,9 @@ class RowDescentTest {
     }
 
     /**
-     * What is within its bounds gets the speed that it asks for, and what is at a bound is not
-     * driven beyond it: w ≥ 0 at the lower one, w ≤ 0 at the upper one. Rows and bodies are as many
-     * as exchanges of all wrong rows at once do not end with.
+     * Rows within their bounds get the speed that they ask for, and rows at a bound are not driven
+     * beyond it: w ≥ 0 at the lower one, w ≤ 0 at the upper one. Exchanging all wrong rows at once
+     * does not end with these numbers of rows and bodies.
      */
     @Test
     void rowsAreSolvedWithinTheirBounds() {
@@ -104,7 +104,7 @@ class RowDescentTest {
         assertThat(atBounds).isGreaterThan(1_000);
     }
 
-    /** A spent budget of multiplications ends it. */
+    /** A spent budget of multiplications ends the descent. */
     @Test
     void endsWhereItsBudgetDoes() {
         island(new SplittableRandom(3));

@@ -87,7 +87,7 @@ class RowFactorsTest {
         }
     }
 
-    /** What is pushed by the answers changes by what was asked, in the set and nowhere else. */
+    /** Applying the answers changes rows of the set by what was asked, and no other impulse. */
     private void assertSolved(double[] asked) {
         for (int i = 0; i < elimination.size(); i++) {
             int row = elimination.row(i);
@@ -104,7 +104,7 @@ class RowFactorsTest {
         }
     }
 
-    /** Sets that follow on each other keep the part of the factor that they share. */
+    /** Successive sets keep the part of the factor that they share. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void setsAreSolvedAsAWhole(long seed) {
@@ -163,7 +163,7 @@ class RowFactorsTest {
         assertThat(elimination.work()).isZero();
     }
 
-    /** N = J·M⁻¹·Pᵀ of impulses that act along other derivatives than they are measured by. */
+    /** N = J·M⁻¹·Pᵀ of impulses that act along other derivatives than the rows'. */
     @ParameterizedTest
     @ValueSource(longs = {5, 6})
     void impulsesMayActAlongOthers(long seed) {
@@ -178,9 +178,7 @@ class RowFactorsTest {
         }
     }
 
-    /**
-     * Places at a drift's end are measured by the derivatives there, speeds by those at its start.
-     */
+    /** Places are measured by the derivatives at the drift's end, speeds by those at its start. */
     @Test
     void placesAreMeasuredAhead() {
         SplittableRandom random = new SplittableRandom(7);
@@ -227,7 +225,7 @@ class RowFactorsTest {
                 sum += term * unsymmetric.answer(k);
                 scale += Math.abs(term * unsymmetric.answer(k));
             }
-            // Pivots are not exchanged: a few digits more are lost.
+            // Pivots are not exchanged, which loses a few more digits.
             assertThat(sum).isCloseTo(asked[row], within(1e-5 * scale));
         }
     }
@@ -278,7 +276,7 @@ class RowFactorsTest {
         assertThat(passes.solves()).isZero();
     }
 
-    /** Both rows of a pair stay within a disc: what both want is shortened to its edge. */
+    /** Impulses of a pair of rows beyond their disc are shortened to its edge. */
     @Test
     void pairsStayWithinADisc() {
         motions.data = new double[2 * Motions.STRIDE];
@@ -306,7 +304,7 @@ class RowFactorsTest {
         assertThat(rows.upper[x]).isCloseTo(6, within(1e-12));
     }
 
-    /** What counts as an equation, as a length, and how far its bodies reach. */
+    /** Which rows are equations, which are lengths, and how far their bodies reach. */
     @Test
     void rowsTellWhatTheyAre() {
         island(new SplittableRandom(10), 40);
@@ -345,7 +343,7 @@ class RowFactorsTest {
         assertThat(rows.reach(turns)).isEqualTo(2);
     }
 
-    /** The wish of a row solves it alone, and pushing it does so. */
+    /** Pushing a row to its wish solves it alone. */
     @Test
     void whatARowWishesSolvesIt() {
         island(new SplittableRandom(11), 20);

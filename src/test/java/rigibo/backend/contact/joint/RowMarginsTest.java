@@ -12,7 +12,7 @@ import rigibo.backend.contact.row.Motions;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 
-/** Rows that are not asked against what asking them would tell. */
+/** Skipped rows against the residuals that they would have had. */
 class RowMarginsTest {
 
     private static final int LOOSE = 6;
@@ -83,7 +83,7 @@ class RowMarginsTest {
         assertThat(margins.isIdle(leaving)).isFalse();
     }
 
-    /** By an arm of 2 m a row's speed changes by twice the spin, at 0.5 m by half of it. */
+    /** With an arm of 2 m, a row's speed changes by twice the spin; with 0.5 m by half of it. */
     @Test
     void whatTurnsBringsLongArmsBackSooner() {
         int leaving = push(1, 2);
@@ -127,7 +127,7 @@ class RowMarginsTest {
         assertThat(margins.isIdle(row)).isFalse();
     }
 
-    /** Whatever is pushed, a row that is idle would tell that its bodies leave its bound. */
+    /** A row that may be skipped keeps moving away from its bound, whatever is pushed. */
     @ParameterizedTest(name = "seed {0}")
     @ValueSource(longs = {1, 2, 3, 4})
     void idleRowsWouldCarryNothing(long seed) {

@@ -40,7 +40,7 @@ class RowMemoryTest {
         assertThat(motions.data[BODY + Motions.VX]).isEqualTo(0.25);
     }
 
-    /** Of 1/4 m/s nothing is left beside 10²⁰; the impulse in the end is 2 N·s. */
+    /** A speed of 1/4 m/s is lost beside 10²⁰; the impulse in the end is 2 N·s. */
     @Test
     void redoingLeavesNothingOfHugeImpulsesOnTheWay() {
         for (double push : new double[] {1e20, -1e20, 2}) {

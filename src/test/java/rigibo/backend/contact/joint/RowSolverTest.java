@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.setup.Accuracy;
 
-/** Rows of a joint with bounds, of a body of 1 kg and 1 kg·m². */
+/** Rows with bounds of a joint, on a body of 1 kg and 1 kg·m². */
 class RowSolverTest {
 
     private static final int BODY = OneBody.BODY;
@@ -38,9 +38,9 @@ class RowSolverTest {
     }
 
     /**
-     * A body turns at w towards its limit, which it may come to at −0.01 rad/s, and a brake of up
-     * to b N·m·s is on the same hinge. The brake alone stops it where it can; otherwise it gives
-     * all that it has, and the limit the rest: w + b + limit = −0.01, if that leaves anything.
+     * A body turns at w towards a limit that it may reach at −0.01 rad/s; a brake of up to b N·m·s
+     * acts on the same hinge. The brake alone stops the body if it can. Otherwise it gives b, and
+     * the limit gives the rest: w + b + limit = −0.01.
      */
     @ParameterizedTest
     @CsvSource({
@@ -64,7 +64,7 @@ class RowSolverTest {
         assertThat(rows.impulse[limit]).isCloseTo(limited, within(1e-9));
     }
 
-    /** After passes that ran away an equation is to be held to round-off of what bodies do. */
+    /** Passes have diverged; an equation must then hold to the round-off of the bodies' motion. */
     @Test
     void whatRanAwayDoesNotTellWhatCountsAsSolved() {
         int equation = rows.add();
@@ -83,9 +83,9 @@ class RowSolverTest {
 
     /**
      * A load with a lever of 0.5 m turns a body to ω = t/0.5, and friction with a lever of 1 m
-     * holds it: a wedge that locks itself, since friction bears twice what the load turns. Nothing
-     * but round-off bounds the stress. Friction that gives way by g to what it carries else than c,
-     * as before, lets the body turn at ω = g·(f − c); then load · 0.5 = ω + f.
+     * holds it. The wedge locks itself, since friction can bear twice what the load turns, and only
+     * round-off bounds its stress. Friction with a compliance g towards changes of its last impulse
+     * c lets the body turn at ω = g·(f − c); then load · 0.5 = ω + f.
      */
     @ParameterizedTest
     @CsvSource({"1e-4, 1e-3, 0", "1e-2, 1e-3, 0", "1e-4, 0.1, 0", "1e-4, 1e-3, 0.5"})
@@ -114,10 +114,9 @@ class RowSolverTest {
     }
 
     /**
-     * A body of 1 kg lies with a load j = 2 N·s on the floor, from which its last kick left it open
-     * by a hair, and rubs with μ = 0.5. In the kick before friction carried f. At its bound, ±1
-     * N·s, it slid, and goes on; below that it is judged by the speed, which here it can stop
-     * alone.
+     * A body of 1 kg lies on the floor with a load of j = 2 N·s and μ = 0.5; the last kick left a
+     * tiny gap. Friction of f in that kick at its bound, ±1 N·s, slid, and slides again. Friction
+     * below it is placed by the speed, which it can stop here.
      */
     @ParameterizedTest
     @CsvSource({"-1, 3, false", "-0.9995, 3, false", "1, -3, false", "-0.4, 0.1, true"})

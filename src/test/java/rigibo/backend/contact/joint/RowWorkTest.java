@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 import rigibo.backend.contact.row.Motions;
 
-/** Rows that push a body of 2 kg and 2 kg·m²; work is impulse times speed. */
+/** Rows that push a body of 2 kg and 2 kg·m². Work is impulse times mean speed. */
 class RowWorkTest {
 
     private static final int BODY = OneBody.BODY;
@@ -21,7 +21,7 @@ class RowWorkTest {
     private int friction;
     private int joint;
 
-    /** A load along x, friction of it along y on a surface that runs at 0.25 m/s, and a hinge. */
+    /** A load along x, its friction along y on a surface that runs at 0.25 m/s, and a hinge. */
     @BeforeEach
     void lay() {
         load = row(1, 0, 0);
@@ -49,7 +49,10 @@ class RowWorkTest {
         motions.data[BODY + Motions.SPIN] = spin;
     }
 
-    /** Impulses of 2, 3 and 5 at rest lead to half of them, and do half their work times that. */
+    /**
+     * Impulses of 2, 3 and 5 make speeds of half of them from rest, and their work is the impulse
+     * times half that speed.
+     */
     @Test
     void workIsDoneAtTheMeanOfTheSpeedsBeforeAndAfter() {
         work.begin();
@@ -63,7 +66,10 @@ class RowWorkTest {
         assertThat(work.isAllOfRows()).isFalse();
     }
 
-    /** A joint that turns as it holds does not count, nor friction at the surface's speed. */
+    /**
+     * The work of a joint that holds while it turns does not count, nor does friction at the speed
+     * of its surface.
+     */
     @Test
     void onlyContactsAreAskedAtTheSpeedsThatTheyHaveNow() {
         rows.impulse[load] = 2;
