@@ -1,6 +1,7 @@
 package rigibo.backend.contact;
 
 import rigibo.backend.contact.row.EarlierImpulses;
+import rigibo.backend.contact.row.Effort;
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.MissedWidth;
 import rigibo.backend.contact.row.Motions;
@@ -160,9 +161,9 @@ public final class Passes {
         missed = MissedWidth.of(accuracy);
         isCorrecting = accuracy.correction() == Correction.SOFT;
         usual = accuracy.substeps();
-        shorter = Math.min(1, usual / (double) Accuracy.GAME.substeps());
-        longer = usual < Accuracy.GAME.substeps() ? 0 : LONGER;
-        isThrifty = usual < Accuracy.EXACT.substeps();
+        shorter = Math.min(1, Effort.timesGame(accuracy));
+        longer = Effort.isThorough(accuracy) ? LONGER : 0;
+        isThrifty = !Effort.isExact(accuracy);
         noise = NOISE * shorter * shorter;
         int passes = Math.max(LEAST_PASSES, usual * usual * usual / CUBES_PER_PASS);
         most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);

@@ -1,5 +1,6 @@
 package rigibo.backend.contact;
 
+import rigibo.backend.contact.row.Effort;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.OwnLoads;
 import rigibo.backend.contact.row.PackedContacts;
@@ -36,7 +37,7 @@ public final class Rounds {
     private static final double LEFT_IF_CALM = 1e-7;
 
     /** Share of the largest change of speed below which a change is round-off: about 64 ulp. */
-    private static final double ROUND_OFF = 1e-14;
+    private static final double CHANGE_ROUND_OFF = 1e-14;
 
     /** Rounds per substep in addition to one for each substep of the accuracy. */
     private static final int LEAST_ROUNDS = 4;
@@ -163,14 +164,14 @@ public final class Rounds {
         halfway = new Halfway(motions, contacts);
         before = new Halfway(motions, contacts);
         best = new Halfway(motions, contacts);
-        isThorough = substeps >= Accuracy.GAME.substeps();
+        isThorough = Effort.isThorough(accuracy);
         isDirect = accuracy.contactSolver() == ContactSolver.DIRECT;
         isCorrecting = accuracy.correction() == Correction.SOFT;
         most = LEAST_ROUNDS + substeps;
         share = SETTLED * accuracy.impactTolerance();
         // From EXACT on the budget of elimination is unlimited.
-        boolean isLimited = substeps < Accuracy.EXACT.substeps();
-        double coarser = Math.min(1, substeps / (double) Accuracy.GAME.substeps());
+        boolean isLimited = !Effort.isExact(accuracy);
+        double coarser = Math.min(1, Effort.timesGame(accuracy));
         ofPasses = isLimited ? WORK_OF_PASSES : Double.POSITIVE_INFINITY;
         leastTimes = isLimited ? 1 : TIMES_UNLIMITED;
         worthIfCalm =
@@ -337,7 +338,7 @@ public final class Rounds {
     private double left(double h, double kicked, int substep, double fastest) {
         double change = sweep.once(h, substep);
         if (!isCalm) {
-            settled = Math.max(share * fastest, ROUND_OFF * contacts.strongestAnswer());
+            settled = Math.max(share * fastest, CHANGE_ROUND_OFF * contacts.strongestAnswer());
             return change <= settled ? 0 : change / settled;
         }
         own.measure(kicked);

@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.Effort;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.JointKind;
@@ -49,10 +50,9 @@ final class ComposedSubsteps {
         this.jointPlaces = jointPlaces;
         this.packed = packed;
         this.taut = taut;
-        boolean isLimited = accuracy.substeps() < Accuracy.EXACT.substeps();
         // A number of substeps that changes within an oscillation leaves a trend of energy, which
         // EXACT does not allow.
-        double tolerance = isLimited ? accuracy.impactTolerance() : 0;
+        double tolerance = Effort.isExact(accuracy) ? 0 : accuracy.impactTolerance();
         double root = Math.sqrt(tolerance);
         mostPhase = MOST_PHASE * Math.sqrt(root);
         mostIfDamped = MOST_PHASE_IF_DAMPED * root;

@@ -15,15 +15,6 @@ final class CrowdPlaces {
      */
     private static final double FEW = 4;
 
-    /**
-     * Compliances of equations that ask for too large displacements, as shares of their responses:
-     * the first, the factor to the next, and the last.
-     */
-    private static final double LEAST_GIVE = 1e-6;
-
-    private static final double MORE_GIVE = 100;
-    private static final double MOST_GIVE = 1e-2;
-
     private final NeutralRows rows;
     private final JointPlaces jointPlaces;
     private final EquationFactor factor;
@@ -83,14 +74,14 @@ final class CrowdPlaces {
     private void close(int group, double most) {
         responses.keep(group);
         displace(group);
-        double share = LEAST_GIVE;
-        while (responses.farthest(group) > FEW * asked && share <= MOST_GIVE) {
+        double share = PlaceRecovery.LEAST_GIVE;
+        while (responses.farthest(group) > FEW * asked && share <= PlaceRecovery.MOST_GIVE) {
             responses.recall(group);
             giveWay(group, share);
             ask(group, most);
             displace(group);
             hold(group);
-            share *= MORE_GIVE;
+            share *= PlaceRecovery.MORE_GIVE;
         }
         double farthest = responses.farthest(group);
         if (farthest > FEW * asked) {

@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.Effort;
 import rigibo.backend.contact.row.MissedWidth;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
@@ -111,8 +112,8 @@ final class CrowdSolver {
         factor = new EquationFactor(motions, rows);
         equations = factor.equations();
         tree = factor.tree();
-        isExact = accuracy.substeps() >= Accuracy.EXACT.substeps();
-        shorter = Math.min(1, accuracy.substeps() / (double) Accuracy.GAME.substeps());
+        isExact = Effort.isExact(accuracy);
+        shorter = Math.min(1, Effort.timesGame(accuracy));
         sunk = SUNK * MissedWidth.of(accuracy);
         held = new CrowdEquations(motions, rows, jointPlaces, poses, factor, accuracy);
         responses = new Responses(data.bodies, motions, rows, factor);

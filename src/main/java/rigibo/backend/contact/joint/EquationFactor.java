@@ -12,9 +12,6 @@ import java.util.Arrays;
  */
 final class EquationFactor {
 
-    /** Share of its own response under which the pivot of a row is round-off. */
-    private static final double SINGULAR = 1e-13;
-
     private final Motions motions;
     private final NeutralRows rows;
     private final EquationList equations;
@@ -271,8 +268,7 @@ final class EquationFactor {
             return equations.isWeld(e) && without > 0 ? 1 / without : 0;
         }
         double pivot = without + NeutralRows.REGULAR * rows.response[row] + rows.give[row];
-        double least = SINGULAR * Math.max(rows.response[row], Double.MIN_NORMAL);
-        return 1 / (Math.abs(pivot) > least ? pivot : Math.copySign(least, pivot));
+        return 1 / rows.pivot(row, pivot);
     }
 
     /** Subtracts a multiple of one line from another. */

@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.Effort;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
@@ -91,9 +92,9 @@ final class JointBudget {
         this.rows = rows;
         this.elimination = elimination;
         substeps = accuracy.substeps();
-        double times = Math.max(1, substeps / (double) Accuracy.GAME.substeps());
+        double times = Math.max(1, Effort.timesGame(accuracy));
         leastWorth = LEAST_WORTH * times * times;
-        boolean isExact = substeps >= Accuracy.EXACT.substeps();
+        boolean isExact = Effort.isExact(accuracy);
         worth = isExact ? WORTH_IF_EXACT : WORTH;
         mostBounded = isExact ? MOST_BOUNDED_IF_EXACT : MOST_BOUNDED;
     }

@@ -16,7 +16,7 @@ final class JointPlaces {
     static final double MISSED = 1e-5;
 
     /** Round-off of a place, as a share of the joint's arms: about 4 ulp. */
-    private static final double ROUND_OFF_OF_ARMS = 4e-16;
+    private static final double PLACE_ROUND_OFF = 4e-16;
 
     private static final JointKind[] KINDS = JointKind.values();
 
@@ -123,7 +123,7 @@ final class JointPlaces {
 
     /** Round-off of the place of the joint that was measured last, m. */
     double roundOff() {
-        return ROUND_OFF_OF_ARMS
+        return PLACE_ROUND_OFF
                 * (size()
                         + Math.abs(geometry.armAX)
                         + Math.abs(geometry.armAY)

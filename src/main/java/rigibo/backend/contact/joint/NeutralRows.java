@@ -32,6 +32,9 @@ final class NeutralRows {
      */
     static final double REGULAR = 1e-11;
 
+    /** Share of its own response below which the pivot of a row is round-off. */
+    private static final double SINGULAR = 1e-13;
+
     /**
      * Share of its free response below which a row counts as acting along locked axes alone: the
      * square of the round-off of its direction.
@@ -296,6 +299,12 @@ final class NeutralRows {
                             + derivative[at + 2] * m[offset + 2];
         }
         return sum;
+    }
+
+    /** The pivot of a row in an elimination, with the least magnitude that is not round-off. */
+    double pivot(int row, double left) {
+        double least = SINGULAR * Math.max(response[row], Double.MIN_NORMAL);
+        return Math.abs(left) > least ? left : Math.copySign(least, left);
     }
 
     /** The residual w of a row, m/s or rad/s. */

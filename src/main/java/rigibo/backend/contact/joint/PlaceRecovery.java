@@ -39,10 +39,10 @@ final class PlaceRecovery {
      * Compliances of rows that ask for too large displacements, as shares of their responses: the
      * first, the factor to the next, and the last.
      */
-    private static final double LEAST_GIVE = 1e-6;
+    static final double LEAST_GIVE = 1e-6;
 
-    private static final double MORE_GIVE = 100;
-    private static final double MOST_GIVE = 1e-2;
+    static final double MORE_GIVE = 100;
+    static final double MOST_GIVE = 1e-2;
 
     private final Bodies bodies;
     private final Motions motions;

@@ -10,9 +10,6 @@ import java.util.Arrays;
  */
 final class RowElimination {
 
-    /** Share of its own response under which the pivot of a row is round-off. */
-    private static final double SINGULAR = 1e-13;
-
     private static final int NONE = -1;
 
     private final Motions motions;
@@ -265,8 +262,7 @@ final class RowElimination {
             lower[at + j] = c / pivot[j];
             left -= c * lower[at + j];
         }
-        double least = SINGULAR * Math.max(rows.response[set[i]], Double.MIN_NORMAL);
-        pivot[i] = Math.abs(left) > least ? left : Math.copySign(least, left);
+        pivot[i] = rows.pivot(set[i], left);
     }
 
     /** Asks for a change of speed of a row of the set, m/s. */

@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.Effort;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.setup.Accuracy;
 
@@ -41,7 +42,7 @@ final class RowSolver {
     private static final int REFINEMENTS = 3;
 
     /** Share of the strongest answer below which a speed is round-off. */
-    private static final double ROUND_OFF = 2e-15;
+    private static final double SPEED_ROUND_OFF = 2e-15;
 
     /**
      * Allowed lag of a bound behind its loads, as a multiple of the residual that counts as solved.
@@ -102,7 +103,7 @@ final class RowSolver {
     private boolean beginsTogether;
 
     RowSolver(Motions motions, NeutralRows rows, RowElimination elimination, Accuracy accuracy) {
-        boolean isExact = accuracy.substeps() >= Accuracy.EXACT.substeps();
+        boolean isExact = Effort.isExact(accuracy);
         nearness = isExact ? 0 : Math.min(MOST_NEARNESS, NEARNESS * accuracy.impactTolerance());
         late = LATE * accuracy.impactTolerance();
         this.motions = motions;
@@ -241,7 +242,7 @@ final class RowSolver {
     }
 
     private boolean solveRounds(double most) {
-        settled = Math.max(most, ROUND_OFF * strongest());
+        settled = Math.max(most, SPEED_ROUND_OFF * strongest());
         isTogether = beginsTogether;
         if (isTogether) {
             apart.keep();
@@ -401,7 +402,7 @@ final class RowSolver {
             elimination.put(row, rows.isEquation(row));
         }
         // The allowed residual may have been measured with impulses beyond all bounds.
-        settled = ROUND_OFF * strongest();
+        settled = SPEED_ROUND_OFF * strongest();
         isNear = false;
         eliminate();
     }

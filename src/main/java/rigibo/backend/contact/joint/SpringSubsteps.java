@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.Effort;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.JointStore;
 
@@ -32,7 +33,7 @@ final class SpringSubsteps {
         this.joints = joints;
         this.rows = rows;
         this.packed = packed;
-        areFollowed = accuracy.substeps() >= Accuracy.GAME.substeps();
+        areFollowed = Effort.isThorough(accuracy);
     }
 
     /**

@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.Effort;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
@@ -29,7 +30,7 @@ public final class Stages {
     public Stages(Bodies bodies, Motions motions, Accuracy accuracy) {
         this.bodies = bodies;
         this.motions = motions;
-        mayCompose = accuracy.substeps() >= Accuracy.GAME.substeps();
+        mayCompose = Effort.isThorough(accuracy);
     }
 
     /** Begins an island whose substeps have one part each. */

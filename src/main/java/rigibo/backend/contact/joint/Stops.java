@@ -15,7 +15,7 @@ import rigibo.backend.storage.PairTolerances;
 final class Stops {
 
     /** Approach speed that is round-off, as a share of the island's fastest motion. */
-    private static final double ROUND_OFF = 1e-9;
+    private static final double APPROACH_ROUND_OFF = 1e-9;
 
     /**
      * Acceleration by its impulse from which on a contact counts as loaded, as a share of the
@@ -86,7 +86,7 @@ final class Stops {
                 fastest = Math.max(fastest, Math.abs(motions.data[at + Motions.SPIN]) * reach);
             }
         }
-        noise = ROUND_OFF * fastest;
+        noise = APPROACH_ROUND_OFF * fastest;
     }
 
     /** Whether a row only pushes. */

@@ -1,5 +1,6 @@
 package rigibo.backend.contact.joint;
 
+import rigibo.backend.contact.row.Effort;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
@@ -72,7 +73,7 @@ final class TautSubsteps {
     private double[] square = new double[16];
 
     TautSubsteps(DataStorage data, Accuracy accuracy) {
-        boolean isExact = accuracy.substeps() >= Accuracy.EXACT.substeps();
+        boolean isExact = Effort.isExact(accuracy);
         mostMoreIfTouched = isExact ? MOST_MORE_IF_EXACT : MOST_MORE_IF_TOUCHED;
         finerIfTouched = isExact ? MOST_PHASE / EXACT_PHASE : 1;
         bodies = data.bodies;

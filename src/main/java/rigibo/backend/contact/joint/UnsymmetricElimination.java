@@ -15,7 +15,6 @@ import java.util.Arrays;
  */
 final class UnsymmetricElimination {
 
-    private static final double SINGULAR = 1e-13;
     private static final int NONE = -1;
 
     private final Motions motions;
@@ -140,8 +139,7 @@ final class UnsymmetricElimination {
         for (int j = first; j < i; j++) {
             left -= lower[at + j] * upper[at + j];
         }
-        double least = SINGULAR * Math.max(rows.response[elimination.row(i)], Double.MIN_NORMAL);
-        pivot[i] = Math.abs(left) > least ? left : Math.copySign(least, left);
+        pivot[i] = rows.pivot(elimination.row(i), left);
     }
 
     /**

@@ -9,7 +9,15 @@ public final class Recovery {
     /** Highest speed at which two overlapping bodies are moved apart, widths per second. */
     public static final double MOST_PUSH = 3;
 
+    /** Share by which displacements stay below that speed, to allow for their round-off. */
+    private static final double WAY_ROUND_OFF = 1e-9;
+
     private Recovery() {}
+
+    /** Largest displacement by which overlap is removed in h seconds, widths. */
+    public static double mostWay(double h) {
+        return (1 - WAY_ROUND_OFF) * MOST_PUSH * h;
+    }
 
     /**
      * Distance by which a contact's gap is to open in h seconds, m, with a highest speed in widths

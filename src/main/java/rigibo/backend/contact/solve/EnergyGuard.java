@@ -15,7 +15,7 @@ import rigibo.backend.contact.row.SingleRows;
 public final class EnergyGuard {
 
     /** Share of the work that is round-off. */
-    private static final double ROUND_OFF = 1e-9;
+    private static final double WORK_ROUND_OFF = 1e-9;
 
     /** Rounds that scale only the impulses of bodies that are too fast, before all are scaled. */
     private static final int ROUNDS = 16;
@@ -80,7 +80,7 @@ public final class EnergyGuard {
         double first = work(before);
         // The work of impulses scaled by s is s·Σ j·w₀ + s²·Σ j·(w₁ − w₀)/2.
         double growth = (work(motions.data) - first) / 2;
-        if (first + growth > most + ROUND_OFF * growth) {
+        if (first + growth > most + WORK_ROUND_OFF * growth) {
             double root = Math.sqrt(first * first + 4 * growth * most);
             scale(growth > 0 ? (root - first) / (2 * growth) : 0);
         }

@@ -78,7 +78,7 @@ final class Jam {
             ground.hold(substep);
         }
         double way = farthest();
-        double most = (1 - OverlapSolver.ROUND_OFF) * Recovery.MOST_PUSH * h;
+        double most = Recovery.mostWay(h);
         if (way <= STILL * most) {
             moved.scaleAll(0);
         } else if (way > most) {

@@ -21,12 +21,6 @@ import rigibo.backend.storage.KeptOverlap;
 public final class OverlapSolver {
 
     /**
-     * Share by which displacements stay below {@link Recovery#MOST_PUSH}, to allow for their
-     * round-off.
-     */
-    static final double ROUND_OFF = 1e-9;
-
-    /**
      * Ratio of masses up to which crushed bodies are separated as a jam. With larger ratios the
      * pushes would hardly move the heavy body: one of a thousand times the mass that presses
      * another against a wall, for instance.
@@ -118,7 +112,7 @@ public final class OverlapSolver {
     }
 
     private void endWithin(double h) {
-        limit.end((1 - ROUND_OFF) * Recovery.MOST_PUSH * h);
+        limit.end(Recovery.mostWay(h));
     }
 
     /**
