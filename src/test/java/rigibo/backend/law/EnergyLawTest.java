@@ -23,8 +23,8 @@ class EnergyLawTest {
     /** Fewer of the scenes that take long. */
     private static final Seeds PILES = Seeds.upTo(200);
 
-    /** What turns fast sinks in by 2 % there, and is lifted. */
-    private static final Seeds LIFTED_AT_DRAFT = Seeds.of(118L);
+    /** A scene that gains a tenth more than it may. */
+    private static final Seeds GAINING_AT_EXACT = Seeds.of(242L);
 
     private static final Quota LOADED_IN_PILES = new Quota(9000, "loaded contacts in piles");
 
@@ -53,29 +53,19 @@ class EnergyLawTest {
                 new Quota(6500, "loaded contacts"));
     }
 
-    /** In no step more than a thousandth of what there was at the start. */
+    /** In no step more than the share of what there was at the start. */
     @ParameterizedTest
-    @CsvSource({"DRAFT, 300", "GAME, 300", "FINE, 300", "EXACT, 200"})
-    void pilesGainNone(Preset preset, int scenes) {
-        Seeds seeds = Seeds.upTo(scenes);
-        holdPiles(
-                preset == Preset.DRAFT ? seeds.without(LIFTED_AT_DRAFT) : seeds,
-                preset,
-                1e-3,
-                LOADED_IN_PILES);
+    @CsvSource({"DRAFT, 1e-3", "GAME, 1e-3", "FINE, 1e-3", "EXACT, 1e-6"})
+    void pilesGainNone(Preset preset, double limit) {
+        Seeds seeds = preset == Preset.EXACT ? SEEDS.without(GAINING_AT_EXACT) : SEEDS;
+        holdPiles(seeds, preset, limit, LOADED_IN_PILES);
     }
 
-    @Disabled("at DRAFT beyond it in one of 300 scenes, by 1.2e-3")
-    @Test
-    void pilesThatSankInDeepGainNone() {
-        Quota once = new Quota(1, "loaded contacts in piles");
-        holdPiles(LIFTED_AT_DRAFT, Preset.DRAFT, 1e-3, once);
-    }
-
-    @Disabled("at EXACT beyond it in 2 of 300 scenes, worst 2.1e-6 at seed 7")
+    @Disabled("at EXACT one scene of 300 gains 1.08e-6 in a step")
     @Test
     void pilesGainNoMoreThanAMillionth() {
-        holdPiles(SEEDS, Preset.EXACT, 1e-6, LOADED_IN_PILES);
+        Quota once = new Quota(1, "loaded contacts in piles");
+        holdPiles(GAINING_AT_EXACT, Preset.EXACT, 1e-6, once);
     }
 
     /** Never more than at the start. */

@@ -27,6 +27,9 @@ class OverlapLawTest {
 
     private static final Seeds SEEDS = Seeds.upTo(300);
 
+    /** Scenes in which bodies meet in flight, where DRAFT does not search for impacts. */
+    private static final Seeds MEETING_AT_DRAFT = Seeds.of(51L, 80L, 199L, 258L);
+
     /** Share of a scene's smallest width. */
     private static final double DEEPEST = 0.02;
 
@@ -41,15 +44,16 @@ class OverlapLawTest {
     }
 
     @ParameterizedTest
-    @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
+    @EnumSource(Preset.class)
     void fewBodiesHardlySinkIn(Preset preset) {
-        Laws.hold(SEEDS, few(preset), OverlapLawTest::shallow, begun(2900));
+        Seeds seeds = preset == Preset.DRAFT ? SEEDS.without(MEETING_AT_DRAFT) : SEEDS;
+        Laws.hold(seeds, few(preset), OverlapLawTest::shallow, begun(2900));
     }
 
-    @Disabled("nobody looks for impacts in flight: seeds 51, 80, 258 and 199, by up to 0.15 widths")
+    @Disabled("DRAFT does not search for impacts in flight: 4 of 300 scenes, by up to 0.15 widths")
     @Test
-    void fewBodiesHardlySinkInAtDraft() {
-        Laws.hold(SEEDS, few(Preset.DRAFT), OverlapLawTest::shallow, begun(2900));
+    void fewBodiesThatMeetHardlySinkInAtDraft() {
+        Laws.hold(MEETING_AT_DRAFT, few(Preset.DRAFT), OverlapLawTest::shallow, begun(1));
     }
 
     @ParameterizedTest
