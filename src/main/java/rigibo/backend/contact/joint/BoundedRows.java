@@ -25,6 +25,7 @@ final class BoundedRows {
     private final PackedJoints packed;
     private final EquationList equations;
     private final Responses responses;
+    private final GroupVelocities velocities;
     private final RowMargins margins;
 
     /** All rows with bounds; and by row, whether it holds. */
@@ -73,9 +74,11 @@ final class BoundedRows {
             ContactRows contacts,
             PackedJoints packed,
             EquationList equations,
-            Responses responses) {
+            Responses responses,
+            GroupVelocities velocities) {
         this.responses = responses;
-        margins = new RowMargins(rows, responses);
+        this.velocities = velocities;
+        margins = new RowMargins(rows, velocities);
         this.rows = rows;
         this.places = places;
         this.contacts = contacts;
@@ -218,6 +221,7 @@ final class BoundedRows {
 
     /** Begins passes of a kick. */
     void beginPasses() {
+        margins.list();
         asked = 0;
         sunk = jointRows;
         beginWay();
@@ -286,7 +290,7 @@ final class BoundedRows {
 
     /** Change of impulse that solves a row; 0 if it is too small to be made. */
     private double change(int row, double least) {
-        double residual = responses.residual(row);
+        double residual = velocities.residual(row);
         margins.note(row, residual);
         double impulse = rows.impulse[row];
         boolean mayFall = residual > 0 && impulse > rows.lower[row];
@@ -326,7 +330,7 @@ final class BoundedRows {
     private boolean isSinking(int row, double h, double most) {
         return rows.isPoint(row)
                 && !margins.isIdle(row)
-                && -responses.residual(row) * h > most * contacts.width(row);
+                && -velocities.residual(row) * h > most * contacts.width(row);
     }
 
     /**
@@ -375,7 +379,7 @@ final class BoundedRows {
                 double off = Math.min(most * size, -rows.place[row]);
                 if (off > seen * size) {
                     isAny = true;
-                    responses.displace(row, off / rows.response[row]);
+                    velocities.displace(row, off / rows.response[row]);
                 }
             }
         }

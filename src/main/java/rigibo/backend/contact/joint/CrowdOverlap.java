@@ -19,6 +19,7 @@ final class CrowdOverlap {
     private final PackedContacts contacts;
     private final NeutralRows rows;
     private final Responses responses;
+    private final GroupVelocities velocities;
     private final Accuracy accuracy;
 
     /**
@@ -36,11 +37,13 @@ final class CrowdOverlap {
             PackedContacts contacts,
             NeutralRows rows,
             Responses responses,
+            GroupVelocities velocities,
             Accuracy accuracy) {
         this.motions = motions;
         this.contacts = contacts;
         this.rows = rows;
         this.responses = responses;
+        this.velocities = velocities;
         this.accuracy = accuracy;
     }
 
@@ -50,13 +53,13 @@ final class CrowdOverlap {
         if (count == 0) {
             return;
         }
-        responses.rest();
+        velocities.rest();
         for (int pass = 0; pass < PASSES; pass++) {
             for (int i = 0; i < count; i++) {
                 part(pass % 2 == 0 ? i : count - 1 - i);
             }
         }
-        responses.move(h);
+        velocities.move(h);
     }
 
     private void find(double h) {
@@ -88,7 +91,7 @@ final class CrowdOverlap {
 
     private void part(int i) {
         int row = deep[i];
-        double left = wanted[i] - responses.along(row);
+        double left = wanted[i] - velocities.along(row);
         double after = Math.max(0, push[i] + left / responses.own(row));
         responses.push(row, after - push[i]);
         push[i] = after;

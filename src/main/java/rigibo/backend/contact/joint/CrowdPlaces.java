@@ -21,7 +21,7 @@ final class CrowdPlaces {
     private final EquationList equations;
     private final AssemblyTree tree;
     private final BoundedRows bounded;
-    private final Responses responses;
+    private final GroupVelocities velocities;
 
     /** Error that does not count, as a share of the joint's size. */
     private final double seen;
@@ -37,7 +37,7 @@ final class CrowdPlaces {
             JointPlaces jointPlaces,
             EquationFactor factor,
             BoundedRows bounded,
-            Responses responses,
+            GroupVelocities velocities,
             double seen) {
         this.rows = rows;
         this.jointPlaces = jointPlaces;
@@ -45,15 +45,15 @@ final class CrowdPlaces {
         equations = factor.equations();
         tree = factor.tree();
         this.bounded = bounded;
-        this.responses = responses;
+        this.velocities = velocities;
         this.seen = seen;
     }
 
     /** Moves bodies at the start of a part of h seconds whose rows are written and listed. */
     void correct(double h) {
-        double most = Responses.MOST_MOVED * Math.abs(h);
-        responses.begin();
-        responses.rest();
+        double most = GroupVelocities.MOST_MOVED * Math.abs(h);
+        velocities.begin();
+        velocities.rest();
         jointPlaces.measureAnew();
         boolean isAny = bounded.correct(most, seen);
         for (int group = 0; group < tree.groups; group++) {
@@ -63,7 +63,7 @@ final class CrowdPlaces {
             }
         }
         if (isAny) {
-            responses.move(h);
+            velocities.move(h);
         }
     }
 
@@ -72,20 +72,20 @@ final class CrowdPlaces {
      * outline goes too far (damped least squares, K. Levenberg 1944).
      */
     private void close(int group, double most) {
-        responses.keep(group);
+        velocities.keep(group);
         displace(group);
         double share = PlaceRecovery.LEAST_GIVE;
-        while (responses.farthest(group) > FEW * asked && share <= PlaceRecovery.MOST_GIVE) {
-            responses.recall(group);
+        while (velocities.farthest(group) > FEW * asked && share <= PlaceRecovery.MOST_GIVE) {
+            velocities.recall(group);
             giveWay(group, share);
             ask(group, most);
             displace(group);
             hold(group);
             share *= PlaceRecovery.MORE_GIVE;
         }
-        double farthest = responses.farthest(group);
+        double farthest = velocities.farthest(group);
         if (farthest > FEW * asked) {
-            responses.scale(group, FEW * asked / farthest);
+            velocities.scale(group, FEW * asked / farthest);
         }
     }
 
@@ -94,7 +94,7 @@ final class CrowdPlaces {
         for (int i = tree.equationStart[group]; i < tree.equationStart[group + 1]; i++) {
             int e = tree.equationOf[i];
             if (equations.row[e] != EquationList.NONE) {
-                responses.displace(equations.row[e], factor.answer(e));
+                velocities.displace(equations.row[e], factor.answer(e));
             }
         }
     }
@@ -137,7 +137,7 @@ final class CrowdPlaces {
             if (row != EquationList.NONE) {
                 double size = jointPlaces.size(row);
                 double within = Math.max(-most * size, Math.min(most * size, off(row)));
-                back = -within - responses.along(row);
+                back = -within - velocities.along(row);
                 farthest = Math.max(farthest, Math.abs(back) / size);
                 asked += rows.inMetres(row, Math.abs(back));
             }

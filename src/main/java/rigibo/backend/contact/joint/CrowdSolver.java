@@ -68,6 +68,7 @@ final class CrowdSolver {
     private final ContactRows contactRows;
     private final CrowdEquations held;
     private final BoundedRows bounded;
+    private final GroupVelocities velocities;
     private final Responses responses;
     private final CrowdPlaces places;
     private final CrowdOverlap overlap;
@@ -116,10 +117,14 @@ final class CrowdSolver {
         shorter = Math.min(1, Effort.timesGame(accuracy));
         sunk = SUNK * MissedWidth.of(accuracy);
         held = new CrowdEquations(motions, rows, jointPlaces, poses, factor, accuracy);
-        responses = new Responses(data.bodies, motions, rows, factor);
-        bounded = new BoundedRows(rows, jointPlaces, contactRows, packed, equations, responses);
-        places = new CrowdPlaces(rows, jointPlaces, factor, bounded, responses, held.missedPlace());
-        overlap = new CrowdOverlap(motions, contacts, rows, responses, accuracy);
+        velocities = new GroupVelocities(data.bodies, motions, rows, factor);
+        responses = new Responses(motions, rows, factor, velocities);
+        bounded =
+                new BoundedRows(
+                        rows, jointPlaces, contactRows, packed, equations, responses, velocities);
+        places =
+                new CrowdPlaces(rows, jointPlaces, factor, bounded, velocities, held.missedPlace());
+        overlap = new CrowdOverlap(motions, contacts, rows, responses, velocities, accuracy);
     }
 
     /** Number of multiplications since the last call. */
@@ -181,7 +186,7 @@ final class CrowdSolver {
      */
     void solve(double h, int substep, double before, double fastest, double noise, double finer) {
         double quiet = shorter * Math.max(QUIET * fastest, QUIET_IN_MOTION * before);
-        held.begin(responses.areAnyLarge() ? finer : 1);
+        held.begin(velocities.areAnyLarge() ? finer : 1);
         contactRows.write(h, substep);
         warm();
         bounded.addContacts();
@@ -233,12 +238,12 @@ final class CrowdSolver {
      * contact would sink in too far in h seconds.
      */
     private void run(double quiet, double h, boolean mayExchange) {
-        int passes = responses.areAnyLarge() ? 1 : PASSES;
+        int passes = velocities.areAnyLarge() ? 1 : PASSES;
         bounded.beginPasses();
         settle(true);
         boolean isOpen = bounded.areAny();
         for (int pass = 0; isOpen && isWorth(pass); pass += passes) {
-            responses.take();
+            velocities.take();
             rows.bound();
             bounded.beginAnew();
             isOpen = !pass(pass, passes, quiet, h);

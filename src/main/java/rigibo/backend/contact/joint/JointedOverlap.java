@@ -190,7 +190,7 @@ final class JointedOverlap {
 
     /** Moves bodies by the displacements, scaled down if an outline would move too far. */
     private void move(double h) {
-        double most = Responses.MOST_MOVED * Math.abs(h);
+        double most = GroupVelocities.MOST_MOVED * Math.abs(h);
         double farthest = 0;
         double[] m = motions.data;
         for (int entry = 1; entry < motions.count; entry++) {

@@ -21,8 +21,9 @@ class RowMarginsTest {
     private final Motions motions = new Motions(true);
     private final NeutralRows rows = new NeutralRows(motions, null);
     private final EquationFactor factor = new EquationFactor(motions, rows);
-    private final Responses responses = new Responses(null, motions, rows, factor);
-    private final RowMargins margins = new RowMargins(rows, responses);
+    private final GroupVelocities velocities = new GroupVelocities(null, motions, rows, factor);
+    private final Responses responses = new Responses(motions, rows, factor, velocities);
+    private final RowMargins margins = new RowMargins(rows, velocities);
 
     /** Free bodies and then a chain of hinges, all of mass 1 kg and inertia 1 kg·m². */
     @BeforeEach
@@ -51,6 +52,7 @@ class RowMarginsTest {
         factor.layOut();
         factor.begin();
         responses.begin();
+        margins.list();
         margins.begin();
     }
 
@@ -92,7 +94,7 @@ class RowMarginsTest {
         rows.derive(turning, Motions.STRIDE, 0, 0, 1);
         rows.finish(turning);
         begin();
-        assertThat(responses.steepest(leaving)).isEqualTo(1 + 2 / 0.5);
+        assertThat(margins.steepest(leaving)).isEqualTo(1 + 2 / 0.5);
         margins.note(leaving, 5);
         give(turning, 1.9);
         assertThat(margins.isIdle(leaving)).isTrue();
@@ -150,10 +152,10 @@ class RowMarginsTest {
             for (int row = first; row < rows.count; row++) {
                 if (margins.isIdle(row)) {
                     idle++;
-                    assertThat(responses.residual(row)).isPositive();
+                    assertThat(velocities.residual(row)).isPositive();
                 } else {
-                    margins.note(row, responses.residual(row));
-                    back += responses.residual(row) < 0 ? 1 : 0;
+                    margins.note(row, velocities.residual(row));
+                    back += velocities.residual(row) < 0 ? 1 : 0;
                 }
             }
             give(random.nextInt(first, rows.count), random.nextDouble(-0.3, 0.3));
