@@ -21,37 +21,9 @@ import java.util.Arrays;
  * flat box responds at both corners at once and does not rock.
  *
  * <p>Passes alternate their direction, so that loads that reach the ground in one pass come back up
- * in the next. A pass solves only contacts that are due: those whose bodies have changed their
- * speed by more than a threshold since the contact was last solved. Most of a heap is quiet at any
- * time, so passes that follow an impact through it cost little. In a crowd the threshold falls with
- * the overlap of a contact; otherwise the same places would sink in a little in every substep, for
- * seconds. A contact in a crowd that carries nothing and parts is skipped until its bodies may have
- * lost their parting speed.
+ * in the next. A pass solves only contacts that are due ({@link DueContacts}).
  */
 public final class ContactSweep {
-
-    /** Neglected change of speed, as a share of the relative speed of the two bodies. */
-    private static final double OF_THEIR_OWN = 0.3;
-
-    /**
-     * Number of contacts up to which it is neglected, less in larger crowds: what all contacts
-     * together neglect adds up from storey to storey. In a heap of 1,500 boxes it kept itself up,
-     * and the heap sank into its foot.
-     */
-    private static final double STOREYS_OF = 512;
-
-    /** Overlap in widths from which on a contact is solved most strictly. */
-    private static final double DEEP = 0.005;
-
-    /** Allowed error there, as a share of that elsewhere. */
-    private static final double STRICTLY = 0.003;
-
-    /**
-     * Change of speed that counts as round-off, as a share of the neglected one. Between bodies
-     * that stand side by side without pressing each other, round-off alone would decide whether
-     * they close or part, and with that which contacts are solved again.
-     */
-    private static final double NOISE = 1e-6;
 
     /** Numbers in two cache lines, so that workers do not write into the same one. */
     private static final int APART = 32;
@@ -60,25 +32,8 @@ public final class ContactSweep {
     private final PackedContacts contacts;
     private final Rubbing rubbing;
     private final ShockPropagation shock;
+    private final DueContacts due;
     private final boolean isBlock;
-
-    /** By entry of the motions: sum of its changes of speed so far in this sweep, m/s. */
-    private double[] changed = new double[16];
-
-    /** By contact: that sum for its two bodies when it was last solved, m/s. */
-    private double[] seen = new double[16];
-
-    /** By contact: the neglected change of speed, m/s. */
-    private double[] uncounted = new double[16];
-
-    /** By contact: change of speed since it was last solved above which it is due, m/s. */
-    private double[] due = new double[16];
-
-    /** By point: speed at which it may close because of its gap, m/s. */
-    private double[] spare = new double[32];
-
-    /** Whether the packed island has more contacts than elimination takes. */
-    private boolean isCrowd;
 
     /** Greatest impulse with which a driven body presses, N·s. */
     private double strongestPress = Double.POSITIVE_INFINITY;
@@ -87,19 +42,6 @@ public final class ContactSweep {
     private double softness;
 
     private final SharedRows shared;
-
-    /**
-     * Parameters of the present sweep: the substep's length in s and its number, the neglected
-     * change of speed in widths per second, and its bounds in m/s.
-     */
-    private double h;
-
-    private int substep;
-    private double sharePerSecond;
-    private double quiet;
-    private double least;
-
-    private final Team.Pieces beginningPieces = this::beginPiece;
 
     /** Solves contacts of one colour; a field, since a new one would be allocated for each pass. */
     private final Team.Pieces solvingPieces = this::solvePiece;
@@ -118,6 +60,7 @@ public final class ContactSweep {
         this.contacts = contacts;
         this.rubbing = rubbing;
         shock = new ShockPropagation(bodies, motions, contacts);
+        due = new DueContacts(motions, contacts, shared);
         this.isBlock = isBlock;
         this.shared = shared;
         solvedBy = new int[APART * shared.workers()];
@@ -143,7 +86,7 @@ public final class ContactSweep {
             double least,
             int most) {
         softness = h / kick;
-        begin(h, substep, share / h, quiet, least);
+        due.begin(h, substep, share / h, quiet, least);
         goOn(most);
     }
 
@@ -153,10 +96,8 @@ public final class ContactSweep {
      */
     public void runNew(double h, int substep, double share, double quiet, double least, int most) {
         softness = 1;
-        begin(h, substep, share / h, quiet, least);
-        for (int row = 0; row < contacts.count; row++) {
-            seen[row] = contacts.isNew[row] ? seen[row] : Math.max(seen[row], 0);
-        }
+        due.begin(h, substep, share / h, quiet, least);
+        due.deferAllButNew();
         goOn(most);
     }
 
@@ -165,7 +106,7 @@ public final class ContactSweep {
      * in the substep ({@link ShockPropagation}).
      */
     public void handDown(double most) {
-        shock.handDown(substep, spare, changed, most / h);
+        due.handDown(shock, most);
     }
 
     /** Makes at most a number of further passes, until no contact is due. */
@@ -180,15 +121,7 @@ public final class ContactSweep {
      * Whether a contact would sink in by more than a number of widths in a substep of h seconds.
      */
     public boolean isSinking(double h, int substep, double most) {
-        boolean isSinking = false;
-        for (int row = 0; !isSinking && row < contacts.count; row++) {
-            double width = contacts.width(row);
-            for (int point = 0; point < contacts.points[row]; point++) {
-                double parts = motions.parting(contacts, row, point) + spare[2 * row + point];
-                isSinking |= contacts.firstSubstep[row] <= substep && -parts * h > most * width;
-            }
-        }
-        return isSinking;
+        return due.isSinking(h, substep, most);
     }
 
     /** Limits the impulse with which driven bodies press, N·s. */
@@ -203,18 +136,18 @@ public final class ContactSweep {
      */
     public double once(double h, int substep) {
         softness = 1;
-        begin(h, substep, 0, 0, 0);
+        due.begin(h, substep, 0, 0, 0);
         pass(true);
         double most = 0;
         for (int body = 1; body < motions.count; body++) {
-            most = Math.max(most, changed[body]);
+            most = Math.max(most, due.changed[body]);
         }
         return most;
     }
 
     /** Change of an entry's speed in the last sweep, m/s. */
     public double change(int entry) {
-        return changed[entry];
+        return due.changed[entry];
     }
 
     /** Makes a pass; returns the number of contacts that were due. */
@@ -255,108 +188,11 @@ public final class ContactSweep {
     private int solveIfDue(int row) {
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
-        double now = changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE];
-        if (now - seen[row] > due[row]) {
+        if (due.isDue(row, a, b)) {
             solve(row, a, b);
             return 1;
         }
         return 0;
-    }
-
-    /**
-     * Stores the speeds that gaps allow; bodies do not move within a sweep, so gaps are constant.
-     */
-    private void begin(double h, int substep, double sharePerSecond, double quiet, double least) {
-        if (changed.length < motions.count) {
-            changed = new double[motions.slots.length];
-        }
-        if (seen.length < contacts.count) {
-            seen = new double[contacts.pair.length];
-            uncounted = new double[contacts.pair.length];
-            due = new double[contacts.pair.length];
-            spare = new double[2 * contacts.pair.length];
-        }
-        Arrays.fill(changed, 0, motions.count, 0);
-        isCrowd = contacts.areCrowd();
-        this.h = h;
-        this.substep = substep;
-        this.sharePerSecond = sharePerSecond;
-        this.quiet = quiet;
-        this.least = least;
-        shared.each(contacts.count, beginningPieces);
-    }
-
-    private void beginPiece(int from, int to, int worker) {
-        double perSubstep = 1 / h;
-        double strictly = isCrowd ? STRICTLY : 1;
-        for (int row = from; row < to; row++) {
-            boolean isThere = contacts.firstSubstep[row] <= substep;
-            seen[row] = isThere ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
-            double width = contacts.width(row);
-            double deepest = 0;
-            double nearing = contacts.data[row * PackedContacts.STRIDE + PackedContacts.NEARING];
-            for (int point = 0; point < contacts.points[row]; point++) {
-                double gap = motions.gap(contacts, row, point);
-                spare[2 * row + point] = (gap > 0 ? gap * perSubstep : 0) - nearing;
-                deepest = gap < deepest ? gap : deepest;
-            }
-            double own = least < quiet ? quietBetween(row) : quiet;
-            double counts = Math.min(sharePerSecond * width, own);
-            uncounted[row] = counts * Math.max(strictly, 1 + deepest / (DEEP * width));
-            due[row] = uncounted[row];
-            if (isThere && isCrowd) {
-                leaveAloneWhatParts(row);
-            }
-        }
-    }
-
-    /**
-     * Neglected change of speed of a contact, m/s. It depends on the contact's own bodies:
-     * otherwise one body that falls through a heap would make all of the heap inaccurate, which
-     * would sink a little everywhere, be pushed apart, let other bodies fall and never come to
-     * rest.
-     */
-    private double quietBetween(int row) {
-        double[] m = motions.data;
-        int a = contacts.bodyA[row];
-        int b = contacts.bodyB[row];
-        double speed =
-                Math.abs(m[a + VX] - m[b + VX])
-                        + Math.abs(m[a + VY] - m[b + VY])
-                        + motions.reach[a / Motions.STRIDE] * Math.abs(m[a + SPIN])
-                        + motions.reach[b / Motions.STRIDE] * Math.abs(m[b + SPIN]);
-        double share = OF_THEIR_OWN * Math.min(1, STOREYS_OF / contacts.count);
-        return Math.min(quiet, Math.max(share * speed, least));
-    }
-
-    /**
-     * Finds whether a contact carries nothing and parts. The change of its bodies' speed bounds
-     * that of its points, so that until it reaches the parting speed a solution would change
-     * nothing.
-     */
-    private void leaveAloneWhatParts(int row) {
-        double[] d = contacts.data;
-        int at = row * PackedContacts.STRIDE;
-        double carried =
-                d[at + PackedContacts.IMPULSE0]
-                        + d[at + PackedContacts.IMPULSE1]
-                        + Math.abs(d[at + PackedContacts.IMPULSE_T]);
-        double mobility =
-                motions.data[contacts.bodyA[row] + INVERSE_MASS]
-                        + motions.data[contacts.bodyB[row] + INVERSE_MASS];
-        double noise = NOISE * uncounted[row];
-        if (carried * mobility > noise || d[at + PackedContacts.ROLLING] > 0) {
-            return;
-        }
-        double parts = motions.parting(contacts, row, 0) + spare[2 * row];
-        if (contacts.points[row] == 2) {
-            double other = motions.parting(contacts, row, 1) + spare[2 * row + 1];
-            parts = other < parts ? other : parts;
-        }
-        if (parts > noise) {
-            seen[row] = 0;
-            due[row] = Math.max(uncounted[row], parts);
-        }
     }
 
     /** Solves friction first, by the present load, then the load. */
@@ -412,7 +248,7 @@ public final class ContactSweep {
         double lb0 = d[at + PackedContacts.LEVER_B0];
         double vn = nx * vx + ny * vy;
         double give = softness * d[at + PackedContacts.GIVE];
-        double w0 = vn + lb0 * spinB - la0 * spinA + spare[2 * row] + give * old0;
+        double w0 = vn + lb0 * spinB - la0 * spinA + due.spare[2 * row] + give * old0;
         double jn;
         double parts = w0;
         if (contacts.points[row] == 1) {
@@ -426,7 +262,7 @@ public final class ContactSweep {
         } else {
             double la1 = d[at + PackedContacts.LEVER_A1];
             double lb1 = d[at + PackedContacts.LEVER_B1];
-            double w1 = vn + lb1 * spinB - la1 * spinA + spare[2 * row + 1] + give * old1;
+            double w1 = vn + lb1 * spinB - la1 * spinA + due.spare[2 * row + 1] + give * old1;
             parts = w1 < w0 ? w1 : w0;
             solvePair(d, at, w0, w1);
             if (isPressing) {
@@ -438,9 +274,7 @@ public final class ContactSweep {
             turnA += la0 * j0 + la1 * j1;
             turnB += lb0 * j0 + lb1 * j1;
         }
-        boolean carries = (old0 + old1) * (massA + massB) > NOISE * uncounted[row];
-        boolean isIdle = isCrowd && !carries && !rolls && parts > uncounted[row];
-        due[row] = isIdle ? parts : uncounted[row];
+        due.note(row, (old0 + old1) * (massA + massB), rolls ? 0 : parts);
         double jx = jn * nx - jt * ny;
         double jy = jn * ny + jt * nx;
         m[a + VX] -= massA * jx;
@@ -452,11 +286,12 @@ public final class ContactSweep {
         double j = Math.abs(jn) + Math.abs(jt);
         int entryA = a / Motions.STRIDE;
         int entryB = b / Motions.STRIDE;
+        double[] changed = due.changed;
         changed[entryA] += massA * j + motions.reach[entryA] * inertiaA * Math.abs(turnA);
         changed[entryB] += massB * j + motions.reach[entryB] * inertiaB * Math.abs(turnB);
         // The friction of a sliding contact changes with the load that was just solved.
         double unseen = slips ? friction * Math.abs(jn) * (massA + massB) : 0;
-        seen[row] = changed[entryA] + changed[entryB] - unseen;
+        due.seen[row] = changed[entryA] + changed[entryB] - unseen;
     }
 
     /** Scales the load of a driven body's contact down to the greatest press. */
@@ -473,6 +308,7 @@ public final class ContactSweep {
         double spinA = motions.data[a + SPIN];
         double spinB = motions.data[b + SPIN];
         rubbing.roll(row);
+        double[] changed = due.changed;
         changed[a / Motions.STRIDE] +=
                 motions.reach[a / Motions.STRIDE] * Math.abs(motions.data[a + SPIN] - spinA);
         changed[b / Motions.STRIDE] +=

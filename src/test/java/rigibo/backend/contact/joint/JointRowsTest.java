@@ -14,7 +14,6 @@ import rigibo.backend.JointDefinition;
 import rigibo.backend.MotorJoint;
 import rigibo.backend.MouseJoint;
 import rigibo.backend.Pool;
-import rigibo.backend.PoolStorage;
 import rigibo.backend.PrismaticJoint;
 import rigibo.backend.PulleyJoint;
 import rigibo.backend.RevoluteJoint;
@@ -22,16 +21,6 @@ import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
 import rigibo.backend.WheelJoint;
 import rigibo.backend.contact.row.Motions;
-import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.PackedTurns;
-import rigibo.backend.contact.row.RowBuilder;
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Joints;
-import rigibo.backend.effect.Rotation;
-import rigibo.backend.geometry.Polygon;
-import rigibo.backend.setup.Accuracy;
-import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.storage.DataStorage;
 
 import java.util.SplittableRandom;
@@ -48,42 +37,22 @@ class JointRowsTest {
     private static final double KICK = 0.01;
     private static final double DRIFT = 0.02;
 
-    private final Pool pool =
-            new Pool(Effects.of(new Contacts(), new Rotation(), new Joints()), Accuracy.GAME);
-    private final DataStorage data = PoolStorage.of(pool);
-    private final RigidBody ground = pool.add(BodyDefinition.fixed(Polygon.box(1, 1)).at(0, 3));
-    private final RigidBody a = box(0.3, 0.2, 0.4);
-    private final RigidBody b = box(1.4, -0.3, -0.9);
-    private final RigidBody c = box(2.1, 1.1, 2);
-
-    private final Motions motions = new Motions(true);
-    private final PackedContacts contacts = new PackedContacts();
-    private final RowBuilder builder =
-            new RowBuilder(data, motions, contacts, new PackedTurns(data.bodies, motions));
-    private final NeutralRows rows = new NeutralRows(motions, null);
-    private final PackedJoints packed = new PackedJoints(data, builder);
-    private final Poses poses = new Poses(data.bodies, motions);
-    private final RowStates states = new RowStates();
-    private final JointRows jointRows = new JointRows(data, rows, packed, poses, states);
-
-    private RigidBody box(double x, double y, double angle) {
-        return pool.add(BodyDefinition.dynamic(Polygon.box(1, 0.5)).at(x, y).angle(angle));
-    }
+    private final JointedIsland island = new JointedIsland();
+    private final Pool pool = island.pool;
+    private final DataStorage data = island.data;
+    private final RigidBody ground = island.ground;
+    private final RigidBody a = island.a;
+    private final RigidBody b = island.b;
+    private final RigidBody c = island.c;
+    private final Motions motions = island.motions;
+    private final NeutralRows rows = island.rows;
+    private final PackedJoints packed = island.packed;
+    private final Poses poses = island.poses;
+    private final RowStates states = island.states;
+    private final JointRows jointRows = island.jointRows;
 
     private void write(int jointCount) {
-        data.islands.count = 1;
-        data.islands.bodies[0] = 1;
-        data.islands.bodies[1] = 2;
-        data.islands.bodies[2] = 3;
-        data.islands.bodyStart[1] = 3;
-        data.islands.reserveJoints(1, jointCount);
-        for (int i = 0; i < jointCount; i++) {
-            data.islands.joints[i] = i;
-        }
-        data.islands.jointStart[1] = jointCount;
-        builder.build(0, KICK);
-        packed.pack(0, KICK);
-        states.clear(jointCount, 0);
+        island.pack(jointCount, KICK);
     }
 
     private void writeRows() {
