@@ -1,6 +1,5 @@
 package rigibo.backend.contact.joint;
 
-import rigibo.backend.contact.row.Effort;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.setup.Accuracy;
 
@@ -16,16 +15,6 @@ final class RowSolver {
 
     /** Most successive exchanges of all rows at once that do not lower their number. */
     private static final int PATIENCE = 5;
-
-    /**
-     * Compliance of rows with bounds towards changes of their last impulses, if they could share
-     * their loads in more than one way: a share of their responses per metre of tolerance, and at
-     * most. Without it, sets of rows that contradict each other by round-off followed each other
-     * endlessly and pushed heaps about.
-     */
-    private static final double NEARNESS = 10;
-
-    private static final double MOST_NEARNESS = 1e-2;
 
     /** Most exchanges in one solution, and most updates of bounds that depend on loads. */
     private static final int MOST_EXCHANGES = 60;
@@ -55,10 +44,10 @@ final class RowSolver {
      */
     private static final double LATE = 10;
 
-    private final Motions motions;
     private final NeutralRows rows;
     private final RowElimination elimination;
     private final ActiveRows active;
+    private final NearRows near;
     private final SlidingRows sliding;
     private final RowDescent descent;
 
@@ -66,22 +55,10 @@ final class RowSolver {
     private final RowMemory apart;
 
     /**
-     * Compliance of rows with bounds towards changes of their last impulses, as a share of their
-     * responses.
-     */
-    private final double nearness;
-
-    /**
      * Allowed lag of bounds in the last round, as a share of the largest speed that an impulse
      * gives its row.
      */
     private final double late;
-
-    /** By row: target, compliance and impulse as they were written. */
-    private double[] aim = new double[64];
-
-    private double[] give = new double[64];
-    private double[] carried = new double[64];
 
     /** Number of rows to be exchanged. */
     private int wrong;
@@ -103,12 +80,10 @@ final class RowSolver {
     private boolean beginsTogether;
 
     RowSolver(Motions motions, NeutralRows rows, RowElimination elimination, Accuracy accuracy) {
-        boolean isExact = Effort.isExact(accuracy);
-        nearness = isExact ? 0 : Math.min(MOST_NEARNESS, NEARNESS * accuracy.impactTolerance());
         late = LATE * accuracy.impactTolerance();
-        this.motions = motions;
         this.rows = rows;
         this.elimination = elimination;
+        near = new NearRows(motions, rows, accuracy);
         active = new ActiveRows(rows, elimination);
         sliding = new SlidingRows(motions, rows, elimination);
         descent = new RowDescent(rows, elimination);
@@ -136,8 +111,8 @@ final class RowSolver {
      * last kick, whose impulses are scaled by {@code share}.
      */
     void beginAsBefore(PackedJoints packed, double share) {
-        keepAims();
-        begin(packed, share, nearness > 0 && mayBeIndeterminate());
+        near.begin();
+        begin(packed, share, near.areWanted());
     }
 
     /**
@@ -146,27 +121,8 @@ final class RowSolver {
      * creep.
      */
     void beginSoftened(PackedJoints packed, double share, double softness) {
-        for (int row = 0; row < rows.count; row++) {
-            boolean isFriction = rows.contact[row] != NeutralRows.NONE && !rows.isPoint(row);
-            rows.target[row] = aim[row];
-            rows.give[row] = give[row];
-            if (isFriction) {
-                rows.give[row] = softness * rows.response[row];
-                rows.target[row] += rows.give[row] * carried[row];
-            }
-        }
+        near.soften(softness);
         begin(packed, share, false);
-    }
-
-    private void keepAims() {
-        if (aim.length < rows.count) {
-            aim = new double[rows.bodies.length];
-            give = new double[rows.bodies.length];
-            carried = new double[rows.bodies.length];
-        }
-        System.arraycopy(rows.target, 0, aim, 0, rows.count);
-        System.arraycopy(rows.give, 0, give, 0, rows.count);
-        System.arraycopy(rows.impulse, 0, carried, 0, rows.count);
     }
 
     private void begin(PackedJoints packed, double share, boolean isNear) {
@@ -179,7 +135,7 @@ final class RowSolver {
                             ? share * packed.impulseOf(rows.joint[row], rows.part[row])
                             : rows.impulse[row];
             if (isNear) {
-                keepNear(row, before);
+                near.keep(row, before);
             }
             if (isOfJoint) {
                 active.placeAsBefore(row, before);
@@ -187,41 +143,6 @@ final class RowSolver {
                 active.placeContact(row);
             }
         }
-    }
-
-    /** Gives a row a compliance towards changes of its last impulse. */
-    private void keepNear(int row, double before) {
-        double give = nearness * rows.response[row];
-        rows.give[row] += give;
-        rows.target[row] += give * before;
-    }
-
-    /**
-     * Whether rows may share their loads in more than one way: more of them hold than bodies have
-     * degrees of freedom. Limits do not count, since most are not reached, nor do springs. Friction
-     * counts only if there is a brake: two bodies that lie still on friction would otherwise creep
-     * to where it would have held them anyway.
-     */
-    private boolean mayBeIndeterminate() {
-        int free = 0;
-        for (int at = Motions.STRIDE; at < motions.count * Motions.STRIDE; at += Motions.STRIDE) {
-            free += motions.data[at + Motions.INVERSE_MASS] > 0 ? 2 : 0;
-            free += motions.data[at + Motions.INVERSE_INERTIA] > 0 ? 1 : 0;
-        }
-        int hold = 0;
-        int rub = 0;
-        boolean isBraked = false;
-        for (int row = 0; row < rows.count; row++) {
-            boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;
-            boolean isLimit = isOfJoint && rows.holdsPlace[row] && !rows.isEquation(row);
-            boolean isSoft =
-                    isOfJoint && (rows.give[row] > 0 || rows.lower[row] == rows.upper[row]);
-            boolean isOfLoad = rows.load[row] != NeutralRows.NONE;
-            hold += isLimit || isSoft || isOfLoad ? 0 : 1;
-            rub += isOfLoad ? 1 : 0;
-            isBraked |= isOfJoint && !isLimit && !isSoft && !rows.isEquation(row);
-        }
-        return hold + (isBraked ? rub : 0) > free;
     }
 
     /** Adds a row with bounds to the set before {@link #solveOn}. */

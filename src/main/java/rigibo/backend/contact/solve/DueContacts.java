@@ -59,7 +59,7 @@ final class DueContacts {
     private double[] uncounted = new double[16];
 
     /** By contact: change of speed since it was last solved above which it is due, m/s. */
-    private double[] due = new double[16];
+    double[] threshold = new double[16];
 
     /** By point: speed at which it may close because of its gap, m/s. */
     double[] spare = new double[32];
@@ -96,7 +96,7 @@ final class DueContacts {
         if (seen.length < contacts.count) {
             seen = new double[contacts.pair.length];
             uncounted = new double[contacts.pair.length];
-            due = new double[contacts.pair.length];
+            threshold = new double[contacts.pair.length];
             spare = new double[2 * contacts.pair.length];
         }
         Arrays.fill(changed, 0, motions.count, 0);
@@ -126,7 +126,7 @@ final class DueContacts {
             double own = least < quiet ? quietBetween(row) : quiet;
             double counts = Math.min(sharePerSecond * width, own);
             uncounted[row] = counts * Math.max(strictly, 1 + deepest / (DEEP * width));
-            due[row] = uncounted[row];
+            threshold[row] = uncounted[row];
             if (isThere && isCrowd) {
                 leaveAloneWhatParts(row);
             }
@@ -178,7 +178,7 @@ final class DueContacts {
         }
         if (parts > noise) {
             seen[row] = 0;
-            due[row] = Math.max(uncounted[row], parts);
+            threshold[row] = Math.max(uncounted[row], parts);
         }
     }
 
@@ -189,22 +189,16 @@ final class DueContacts {
         }
     }
 
-    /** Whether a contact between bodies at two offsets in the motions is due. */
-    boolean isDue(int row, int a, int b) {
-        double now = changed[a / Motions.STRIDE] + changed[b / Motions.STRIDE];
-        return now - seen[row] > due[row];
-    }
-
     /**
-     * Takes note of a contact that was just solved.
+     * The change of its bodies' speed above which a contact that was just solved is due again, m/s.
      *
      * @param carried speed that its load before would give its bodies, m/s
      * @param parts speed at which its points parted before, m/s; 0 if it has to be solved anyway
      */
-    void note(int row, double carried, double parts) {
+    double threshold(int row, double carried, double parts) {
         boolean carries = carried > NOISE * uncounted[row];
         boolean isIdle = isCrowd && !carries && parts > uncounted[row];
-        due[row] = isIdle ? parts : uncounted[row];
+        return isIdle ? parts : uncounted[row];
     }
 
     /** Whether a contact would sink in by more than a number of widths in h seconds. */

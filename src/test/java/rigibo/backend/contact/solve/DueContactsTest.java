@@ -32,7 +32,7 @@ class DueContactsTest {
     }
 
     private boolean isDue() {
-        return due.isDue(row, island.contacts.bodyA[row], island.contacts.bodyB[row]);
+        return due.changed[1] - due.seen[row] > due.threshold[row];
     }
 
     @Test
@@ -43,7 +43,7 @@ class DueContactsTest {
     @Test
     void aSolvedContactIsDueAgainAfterMoreThanTheNeglectedChange() {
         due.seen[row] = due.changed[1];
-        due.note(row, 1, 0);
+        due.threshold[row] = due.threshold(row, 1, 0);
         assertThat(isDue()).isFalse();
         due.changed[1] += QUIET;
         assertThat(isDue()).isFalse();
