@@ -22,14 +22,21 @@ final class JointBudget {
     private static final double WORTH_IF_EXACT = 1e8;
 
     /**
-     * Budget of an island in a substep, in eliminations of all of its rows; and largest budget in a
-     * step, in eliminations of the largest size. Islands that need more are left to passes.
-     * Newton's steps take some ten eliminations; an island that takes fifty tries sets of rows that
-     * contradict each other.
+     * Budget of an island in a substep, in eliminations of all of its rows: at most, and in any
+     * case. Newton's steps take some ten eliminations; an island that takes fifty tries sets of
+     * rows that contradict each other. Islands that need more are left to passes.
      */
     private static final double ELIMINATIONS = 64;
 
-    private static final double LARGEST_ELIMINATIONS = 32;
+    private static final double FEWEST_ELIMINATIONS = 2;
+
+    /**
+     * Largest budget in a step of GAME, in multiplications, some milliseconds; it grows with the
+     * square of the number of substeps. And the largest one from EXACT on.
+     */
+    private static final double MOST_WORTH = 3e6;
+
+    private static final double MOST_WORTH_IF_EXACT = 3.2e9;
 
     /**
      * Least budget of a small island in a step of GAME, in multiplications. It grows with the
@@ -79,6 +86,7 @@ final class JointBudget {
     private final int substeps;
     private final double worth;
     private final double leastWorth;
+    private final double mostWorth;
     private final int mostBounded;
 
     private boolean isSmall;
@@ -96,6 +104,7 @@ final class JointBudget {
         leastWorth = LEAST_WORTH * times * times;
         boolean isExact = Effort.isExact(accuracy);
         worth = isExact ? WORTH_IF_EXACT : WORTH;
+        mostWorth = isExact ? MOST_WORTH_IF_EXACT : MOST_WORTH * times * times;
         mostBounded = isExact ? MOST_BOUNDED_IF_EXACT : MOST_BOUNDED;
     }
 
@@ -132,10 +141,10 @@ final class JointBudget {
         mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
         double one = isTiny(substepsOfIsland) ? 0 : elimination.workOfAll();
         isWhole = !areMany && one <= worth;
-        double eliminations = ELIMINATIONS * one * substepsOfIsland;
-        double least = isSmall ? leastWorth : 0;
-        double most = Math.min(LARGEST_ELIMINATIONS * worth, Math.max(least, eliminations));
-        elimination.beginIsland(most);
+        double oneEach = one * substepsOfIsland;
+        double least = Math.max(isSmall ? leastWorth : 0, FEWEST_ELIMINATIONS * oneEach);
+        double most = Math.min(mostWorth, ELIMINATIONS * oneEach);
+        elimination.beginIsland(Math.max(least, most));
         int affordable = SOLVES / (substepsOfIsland * Math.max(1, rows.count));
         mostPasses = Math.max(LEAST_PASSES, Math.min(PASSES_PER_SUBSTEP * substeps, affordable));
     }
