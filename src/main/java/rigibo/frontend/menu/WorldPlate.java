@@ -33,6 +33,9 @@ record WorldPlate(LevelList levels, int world, Words words) {
 
     private static final double MEDAL_PITCH = 48;
 
+    /** From the middle of a medal to its number, which is nearer to it than to the next one, px. */
+    private static final double MEDAL = 14;
+
     /** From the plate's upper edge to the picture, and from the text to it, px. */
     private static final double PICTURE = 14;
 
@@ -113,7 +116,8 @@ record WorldPlate(LevelList levels, int world, Words words) {
             double x = right - (all.length - i) * pitch + pitch / 2;
             LevelCard.drawMedal(canvas, x - aside, y, all[i]);
             String count = String.valueOf(levels.medals(world, all[i]));
-            Print.left(canvas, count, x + aside, y, 16, Color.TEXT);
+            double after = x - aside + canvas.layout().lettered(MEDAL);
+            Print.left(canvas, count, after, y, 16, Color.TEXT);
         }
     }
 }

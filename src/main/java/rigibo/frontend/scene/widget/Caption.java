@@ -18,8 +18,8 @@ public record Caption(List<String> lines, double strip, double pitch) {
     private static final double STRIP = 30;
     private static final double PITCH = 22;
 
-    /** Room beside the words, px. */
-    private static final double ASIDE = 8;
+    /** Room beside the words, px: with large letters little is left of it by long words. */
+    private static final double ASIDE = 4;
 
     /** The caption of a card. */
     public static Caption of(Canvas canvas, String title, Tile card) {
