@@ -228,9 +228,19 @@ final class WheelDemo implements Demo {
         return friction * GRAVITY * Angle.cos(Angle.ofDegrees(slope));
     }
 
-    /** The formula of the acceleration down the ramp; τ is the torque about the contact. */
+    /**
+     * The formula of the acceleration down the ramp with what is switched on: F is the thrust, τ
+     * the torque, brake included, and c the rolling resistance, beside which … is all of these.
+     */
     private String formula() {
-        return slips() ? "g·sinα ± µ·g·cosα" : "τ/(m·r·(1 + k))";
+        if (slips()) {
+            return thrust == 0 ? "g·sinα ± µ·g·cosα" : "g·sinα + F/m ± µ·g·cosα";
+        }
+        if (lever > 0) {
+            return "(… − c·g·cosα/r)/(1 + k)";
+        }
+        boolean isDriven = torque != 0 || thrust != 0 || isBraking;
+        return isDriven ? "(g·sinα + F/m + τ/mr)/(1+k)" : "g·sinα/(1 + k)";
     }
 
     private boolean slips() {

@@ -6,6 +6,7 @@ import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Link;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Caption;
 import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
 import rigibo.frontend.scene.widget.Print;
@@ -24,7 +25,6 @@ final class GalleryScene implements TiledScene {
 
     static final String NAME = "gallery";
 
-    private static final double STRIP = 30;
     private static final double MARGIN = 5;
 
     private final Director director;
@@ -219,7 +219,8 @@ final class GalleryScene implements TiledScene {
     }
 
     private void drawCard(Canvas canvas, Tile tile, Found found, boolean isChosen) {
-        double picture = tile.height() - STRIP - 2 * MARGIN;
+        Caption caption = Caption.of(canvas, titles.title(found), tile);
+        double picture = tile.height() - caption.height() - 2 * MARGIN;
         Showing showing = showing(found);
         new ExhibitPicture(
                         showing.exhibit().view(),
@@ -228,14 +229,7 @@ final class GalleryScene implements TiledScene {
                         tile.width() - 2 * MARGIN,
                         picture)
                 .draw(canvas, showing);
-        double strip = tile.y() + tile.height() - STRIP;
-        Color plate = isChosen ? Color.PANEL_LIT : Color.PANEL;
-        canvas.panel(tile.x(), strip, tile.width(), STRIP, 10, plate);
-        Color edge = isChosen ? Color.BRASS : Color.EDGE;
-        canvas.frame(tile.x(), tile.y(), tile.width(), tile.height(), 10, edge);
-        double width = tile.width() - 16;
-        String title = Lines.shortened(canvas, titles.title(found), 16, Canvas.Font.WORDS, width);
-        Print.centred(canvas, title, tile.middleX(), strip + STRIP / 2, 16, Color.TEXT);
+        caption.draw(canvas, tile, isChosen);
     }
 
     /** From page to page: a section's tab, then the way on as often as it has pages more. */

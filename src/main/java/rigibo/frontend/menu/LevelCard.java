@@ -5,7 +5,7 @@ import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Medal;
 import rigibo.frontend.scene.SceneEntry;
 import rigibo.frontend.scene.Words;
-import rigibo.frontend.scene.widget.Lines;
+import rigibo.frontend.scene.widget.Caption;
 import rigibo.frontend.scene.widget.Print;
 import rigibo.frontend.scene.widget.Sign;
 import rigibo.frontend.scene.widget.Tile;
@@ -28,11 +28,6 @@ record LevelCard(LevelList levels, int level, Words words) {
 
     static final double HEIGHT = 168;
 
-    private static final double STRIP = 30;
-
-    /** Between two lines of a title, px. */
-    private static final double LINE = 22;
-
     /** Margin around the picture, px. */
     private static final double MARGIN = 10;
 
@@ -49,10 +44,8 @@ record LevelCard(LevelList levels, int level, Words words) {
 
     void draw(Canvas canvas, Tile tile, boolean isChosen) {
         String title = levels.levels().get(level).title().apply(words);
-        List<String> lines = Lines.of(canvas, title, 16, Canvas.Font.WORDS, tile.width() - 16);
-        double pitch = canvas.layout().lettered(LINE);
-        double strip = canvas.layout().lettered(STRIP) + (lines.size() - 1) * pitch;
-        double picture = tile.height() - strip;
+        Caption caption = Caption.of(canvas, title, tile);
+        double picture = tile.height() - caption.height();
         SceneEntry entry = levels.levels().get(level);
         entry.challenge()
                 .orElseThrow()
@@ -62,16 +55,7 @@ record LevelCard(LevelList levels, int level, Words words) {
         if (!isOpen) {
             drawLock(canvas, tile, picture);
         }
-        double foot = tile.y() + picture;
-        Color plate = isChosen ? Color.PANEL_LIT : Color.PANEL;
-        canvas.panel(tile.x(), foot, tile.width(), strip, 10, plate);
-        Color edge = isChosen ? Color.BRASS : Color.EDGE;
-        canvas.frame(tile.x(), tile.y(), tile.width(), tile.height(), 10, edge);
-        double y = foot + canvas.layout().lettered(STRIP) / 2;
-        for (String line : lines) {
-            Print.centred(canvas, line, tile.middleX(), y, 16, Color.TEXT);
-            y += pitch;
-        }
+        caption.draw(canvas, tile, isChosen);
         drawNumber(canvas, tile);
         if (isOpen && levels.isSolved(level)) {
             drawPrize(canvas, tile);

@@ -33,6 +33,9 @@ record WorldPlate(LevelList levels, int world, Words words) {
 
     private static final double MEDAL_PITCH = 48;
 
+    /** From the middle of a medal to its number, which is nearer to it than to the next one, px. */
+    private static final double MEDAL = 14;
+
     /** From the plate's upper edge to the picture, and from the text to it, px. */
     private static final double PICTURE = 14;
 
@@ -104,16 +107,26 @@ record WorldPlate(LevelList levels, int world, Words words) {
     }
 
     private void drawDone(Canvas canvas, double left, double right, double y) {
-        String solved = words.of("menu.solved", levels.solved(world), levels.of(world).size());
-        Print.left(canvas, solved, left, y, 16, Color.TEXT_DIM);
         Medal[] all = Medal.values();
         double pitch = canvas.layout().lettered(MEDAL_PITCH);
         double aside = pitch / 6;
+        double room = right - left - all.length * pitch;
+        Print.left(canvas, done(canvas, room), left, y, 16, Color.TEXT_DIM);
         for (int i = 0; i < all.length; i++) {
             double x = right - (all.length - i) * pitch + pitch / 2;
             LevelCard.drawMedal(canvas, x - aside, y, all[i]);
             String count = String.valueOf(levels.medals(world, all[i]));
-            Print.left(canvas, count, x + aside, y, 16, Color.TEXT);
+            double after = x - aside + canvas.layout().lettered(MEDAL);
+            Print.left(canvas, count, after, y, 16, Color.TEXT);
         }
+    }
+
+    /** How many levels of the world are solved; without words where those are too long. */
+    private String done(Canvas canvas, double room) {
+        long solved = levels.solved(world);
+        int of = levels.of(world).size();
+        String told = words.of("menu.solved", solved, of);
+        boolean fits = canvas.textWidth(told, 16, Canvas.Font.WORDS) <= room;
+        return fits ? told : solved + " / " + of;
     }
 }

@@ -49,7 +49,7 @@ record WorldTab(LevelList levels, int world, Words words) {
                         words.of("world." + world),
                         16,
                         Canvas.Font.WORDS,
-                        tile.width() - 12);
+                        tile.width() - 6);
         Color color = isShown ? Color.BRASS : Color.TEXT;
         Print.centred(canvas, name, tile.middleX(), tile.y() + NAME * tile.height(), 16, color);
         if (levels.isWorldOpen(world)) {

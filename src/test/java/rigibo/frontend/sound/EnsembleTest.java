@@ -13,6 +13,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.lwjgl.BufferUtils;
 
+import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Skin;
 
 import java.nio.ByteBuffer;
@@ -59,6 +60,21 @@ class EnsembleTest {
             most = Math.max(most, Math.abs(frames.get(i)));
         }
         return most;
+    }
+
+    /**
+     * Root of the mean square of some turns: loudness, of which the ear hears more than of peaks.
+     */
+    private double loudness(int count, Runnable before) {
+        double squares = 0;
+        for (int i = 0; i < count; i++) {
+            before.run();
+            turn();
+            for (int k = 0; k < frames.capacity(); k++) {
+                squares += frames.get(k) * frames.get(k);
+            }
+        }
+        return Math.sqrt(squares / count / frames.capacity());
     }
 
     private float turns(int count) {
@@ -139,6 +155,19 @@ class EnsembleTest {
         // Three seconds of the longest sample, played as slow as the lowest tone asks.
         turns(300);
         assertThat(turns(60)).isLessThan(SILENT);
+    }
+
+    /** Half a minute of it, beside the first tenth of a second of each signal. */
+    @Test
+    void everySignalIsLouderThanTheMusicOfANewPlayer() {
+        double chosen = Settings.initial("en").music();
+        double music = loudness(1800, () -> ensemble.music(1.0 / 60, chosen));
+        turns(300);
+        for (Signal signal : Signal.values()) {
+            ensemble.signal(signal, 1);
+            assertThat(loudness(6, () -> {})).as("%s", signal).isGreaterThan(1.5 * music);
+            turns(110);
+        }
     }
 
     @Test

@@ -176,14 +176,19 @@ final class Hud {
         return inHand.contains(x, y);
     }
 
-    /** The state of the game; of several messages the most urgent one. */
+    /**
+     * The state of the game; of several messages the most urgent one. A lesson and the task of a
+     * level go before the machine's lateness, for slow machines are late all the time.
+     */
     private Optional<String> state(Words words, Session session, Refusal refusal) {
-        return refused(words, refusal).or(() -> late(words)).or(() -> calm(words, session));
+        return refused(words, refusal)
+                .or(() -> taught(words, session))
+                .or(() -> late(words, session))
+                .or(() -> keyOfState(session).map(words::of));
     }
 
-    /** A message that is neither a refusal nor about the machine. */
-    private Optional<String> calm(Words words, Session session) {
-        return lesson.words(session.game()).or(() -> keyOfState(session)).map(words::of);
+    private Optional<String> taught(Words words, Session session) {
+        return lesson.words(session.game()).map(words::of);
     }
 
     private static Optional<String> refused(Words words, Refusal refusal) {
@@ -202,12 +207,16 @@ final class Hud {
         if (session.isShowing()) {
             narrator.says(shown(words, session));
         } else {
-            refused(words, refusal).or(() -> calm(words, session)).ifPresent(narrator::says);
+            refused(words, refusal)
+                    .or(() -> taught(words, session))
+                    .or(() -> keyOfState(session).map(words::of))
+                    .ifPresent(narrator::says);
         }
     }
 
-    private Optional<String> late(Words words) {
-        return Badge.isLate(pace) ? Optional.of(new Badge(words).pace(pace)) : Optional.empty();
+    private Optional<String> late(Words words, Session session) {
+        boolean isSaid = Badge.isLate(pace) && !isUntouched(session);
+        return isSaid ? Optional.of(new Badge(words).pace(pace)) : Optional.empty();
     }
 
     private static Optional<String> keyOfState(Session session) {
@@ -217,11 +226,13 @@ final class Hud {
         if (session.game().isExperiment()) {
             return Optional.of("puzzle.experiment");
         }
-        boolean isUntouched =
-                session.game().clicks() == 0 && session.game().outcome() == Outcome.RUNNING;
-        return isUntouched
+        return isUntouched(session)
                 ? Optional.of("puzzle.task." + task(session.game().level()))
                 : Optional.empty();
+    }
+
+    private static boolean isUntouched(Session session) {
+        return session.game().clicks() == 0 && session.game().outcome() == Outcome.RUNNING;
     }
 
     /** The level's verb, if it has a single one. */

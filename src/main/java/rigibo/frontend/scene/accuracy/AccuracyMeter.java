@@ -56,7 +56,12 @@ public final class AccuracyMeter {
         Subject of = subject;
         trial =
                 trials.start(
-                        new AccuracyTrial(snapshot, of.effects(), of.accuracy(), trials.clock()));
+                        new AccuracyTrial(
+                                snapshot,
+                                of.effects(),
+                                of.accuracy(),
+                                trials.clock(),
+                                trials.mostPiece()));
     }
 
     private void collect() {
@@ -66,7 +71,8 @@ public final class AccuracyMeter {
         AccuracyTrial.Result result = trial.join();
         price = last == null ? result.price() : price + (result.price() - price) / SMOOTHING;
         last = result;
-        due = now() + Math.max(SHORTEST_REST, REST * result.nanos());
+        long rest = REST * result.nanos() * Math.max(1, result.longest() / trials.unseen());
+        due = now() + Math.max(SHORTEST_REST, rest);
         trial = null;
     }
 

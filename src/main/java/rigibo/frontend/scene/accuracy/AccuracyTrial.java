@@ -38,13 +38,17 @@ final class AccuracyTrial implements Trial<AccuracyTrial.Result> {
     private final Effects effects;
     private final Accuracy[] accuracies;
     private final LongSupplier clock;
+    private final long mostPiece;
     private final Pool[] copies = new Pool[EXACT + 1];
 
-    /** Time of all timed steps of each copy, ns. */
+    /** Time of the first steps of each copy, and of those after them, ns. */
+    private final long[] warmingNanos = new long[copies.length];
+
     private final long[] stepNanos = new long[copies.length];
 
     private int pieces;
     private long nanos;
+    private long longest;
 
     /**
      * A trial that has not begun.
@@ -53,11 +57,18 @@ final class AccuracyTrial implements Trial<AccuracyTrial.Result> {
      * @param effects simulated there; given beside the snapshot because functions are not in it
      * @param accuracy the present one
      * @param clock ns
+     * @param mostPiece the trial ends with the round in which a piece takes longer, ns
      */
-    AccuracyTrial(byte[] snapshot, Effects effects, Accuracy accuracy, LongSupplier clock) {
+    AccuracyTrial(
+            byte[] snapshot,
+            Effects effects,
+            Accuracy accuracy,
+            LongSupplier clock,
+            long mostPiece) {
         this.snapshot = snapshot;
         this.effects = effects;
         this.clock = clock;
+        this.mostPiece = mostPiece;
         accuracies = new Accuracy[] {accuracy, Accuracy.DRAFT, Accuracy.EXACT};
     }
 
@@ -69,8 +80,9 @@ final class AccuracyTrial implements Trial<AccuracyTrial.Result> {
      *     EXACT, m
      * @param steps that were made
      * @param nanos time of the whole trial, ns
+     * @param longest time of its longest piece, ns
      */
-    record Result(double price, double error, int steps, long nanos) {
+    record Result(double price, double error, int steps, long nanos, long longest) {
 
         /** Whether it went the whole way, or was cut short because the scene is slow. */
         boolean isWhole() {
@@ -88,10 +100,13 @@ final class AccuracyTrial implements Trial<AccuracyTrial.Result> {
             copies[turn].accuracy(accuracies[turn]);
         } else {
             copies[turn].step(Scene.STEP);
-            stepNanos[turn] += steps() >= WARMING_STEPS ? clock.getAsLong() - begin : 0;
+            long[] kind = steps() < WARMING_STEPS ? warmingNanos : stepNanos;
+            kind[turn] += clock.getAsLong() - begin;
         }
         pieces++;
-        nanos += clock.getAsLong() - begin;
+        long took = clock.getAsLong() - begin;
+        nanos += took;
+        longest = Math.max(longest, took);
         return isOver() ? Optional.of(result()) : Optional.empty();
     }
 
@@ -101,13 +116,15 @@ final class AccuracyTrial implements Trial<AccuracyTrial.Result> {
     }
 
     private boolean isOver() {
-        boolean isRound = pieces % copies.length == 0;
-        return isRound && steps() >= FEWEST_STEPS && (steps() == STEPS || nanos >= LONGEST);
+        boolean isRound = pieces % copies.length == 0 && steps() > 0;
+        boolean isEnough = steps() >= FEWEST_STEPS && (steps() == STEPS || nanos >= LONGEST);
+        return isRound && (isEnough || longest > mostPiece);
     }
 
     private Result result() {
-        double price = (double) stepNanos[PRESENT] / stepNanos[DRAFT];
-        return new Result(price, error(), steps(), nanos);
+        long[] timed = steps() > WARMING_STEPS ? stepNanos : warmingNanos;
+        double price = (double) timed[PRESENT] / timed[DRAFT];
+        return new Result(price, error(), steps(), nanos, longest);
     }
 
     private double error() {

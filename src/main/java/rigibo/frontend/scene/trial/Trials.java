@@ -53,6 +53,19 @@ public final class Trials {
         return clock;
     }
 
+    /**
+     * Time of a piece from which on pictures are late by it, ns: whoever makes longer ones rests
+     * longer, in proportion.
+     */
+    public long unseen() {
+        return Background.unseen();
+    }
+
+    /** Time of a piece from which on the world loses time by it, ns: no trial makes two of them. */
+    public long mostPiece() {
+        return Background.mostPiece();
+    }
+
     /** Hands a trial over; it is done when the thread has come to it. */
     public <R> CompletableFuture<R> start(Trial<R> trial) {
         CompletableFuture<R> outcome = new CompletableFuture<>();

@@ -10,8 +10,14 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.puzzle.PlayedLevel;
+import rigibo.frontend.puzzle.PuzzleScene;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.RecordingCanvas;
+import rigibo.frontend.scene.RecordingDirector;
+import rigibo.frontend.scene.Scene;
+
+import java.util.List;
 
 /** Slow motion shows more pictures of the same steps. */
 class SlowMotionTest {
@@ -109,12 +115,24 @@ class SlowMotionTest {
         assertThat(played.counts()).startsWith("1 click ");
     }
 
+    /** In any level but the first, which explains itself. */
     @Test
     void aWorldThatCannotKeepRealTimeSaysSo() {
+        Scene second = new PuzzleScene(new RecordingDirector(), List.of(level, level), 1);
+        PlayedLevel.clickBox(second);
+        second.step();
+        second.paced(0.97);
+        assertThat(RecordingCanvas.of(second).texts()).noneMatch(it -> it.endsWith("real time"));
+        second.paced(0.4);
+        assertThat(RecordingCanvas.of(second).texts()).contains("0.40× real time");
+    }
+
+    /** Before the first click nothing moves that could be late, and the task is to be read. */
+    @Test
+    void theTaskIsReadOnASlowMachineToo() {
         PlayedLevel played = new PlayedLevel(level);
-        played.scene.paced(0.97);
-        assertThat(played.texts()).noneMatch(words -> words.endsWith("real time"));
         played.scene.paced(0.4);
-        assertThat(played.texts()).contains("0.40× real time");
+        assertThat(played.texts()).contains("click a box to delete it");
+        assertThat(played.texts()).noneMatch(words -> words.endsWith("real time"));
     }
 }

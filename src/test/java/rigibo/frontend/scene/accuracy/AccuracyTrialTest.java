@@ -22,8 +22,13 @@ class AccuracyTrialTest {
     private final Pool pool = new Pool(effects, Accuracy.GAME);
 
     private AccuracyTrial.Result result(Accuracy accuracy) {
+        return result(accuracy, Long.MAX_VALUE);
+    }
+
+    private AccuracyTrial.Result result(Accuracy accuracy, long mostPiece) {
         pool.add(BodyDefinition.dynamic(new Circle(0.5)));
-        AccuracyTrial trial = new AccuracyTrial(pool.snapshot(), effects, accuracy, () -> now);
+        AccuracyTrial trial =
+                new AccuracyTrial(pool.snapshot(), effects, accuracy, () -> now, mostPiece);
         Optional<AccuracyTrial.Result> found = Optional.empty();
         while (found.isEmpty()) {
             long begin = now;
@@ -49,5 +54,15 @@ class AccuracyTrialTest {
         long begin = now;
         pool.step(1.0 / 60);
         assertThat(longest).isPositive().isEqualTo(now - begin);
+    }
+
+    /** A single round: of EXACT, a step is made and no more. */
+    @Test
+    void endsWithTheRoundInWhichAPieceTakesTooLong() {
+        AccuracyTrial.Result result = result(Accuracy.DRAFT, 1);
+        assertThat(result.steps()).isEqualTo(1);
+        assertThat(result.isWhole()).isFalse();
+        assertThat(result.price()).as("DRAFT beside DRAFT").isEqualTo(1);
+        assertThat(result.longest()).isEqualTo(longest).isGreaterThan(1);
     }
 }

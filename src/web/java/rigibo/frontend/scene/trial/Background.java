@@ -9,6 +9,9 @@ import java.util.function.BooleanSupplier;
 /** Runs trials between two pictures, piece by piece, since the page has no other thread. */
 final class Background {
 
+    /** Time of a picture, ns. */
+    private static final long PICTURE = 16_000_000;
+
     /** Pause after a piece, in multiples of its duration: pictures have precedence. */
     private static final double REST = 8;
 
@@ -40,6 +43,16 @@ final class Background {
         if (!trials.isEmpty()) {
             goOnAfter(REST * (System.nanoTime() - begin) / MILLISECOND);
         }
+    }
+
+    /** A picture. */
+    static long unseen() {
+        return PICTURE;
+    }
+
+    /** What a picture with four steps makes up for. */
+    static long mostPiece() {
+        return 4 * PICTURE;
     }
 
     void close() {
