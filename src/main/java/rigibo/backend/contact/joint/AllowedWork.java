@@ -48,7 +48,7 @@ final class AllowedWork {
     boolean isNone() {
         boolean isLittle = work.sum() <= LITTLE * energy();
         double done = isLittle ? Math.min(work.sum(), work.sumOfContactsNow()) : work.sum();
-        return done <= RowWork.WORK_ROUND_OFF * energy() && work.isAllOfRows();
+        return done <= RowWork.ENERGY_ROUND_OFF * energy() && work.isAllOfRows();
     }
 
     /**

@@ -12,7 +12,7 @@ import java.util.Arrays;
 final class RowWork {
 
     /** Round-off of energies and of work, as a share of the energy of motion. */
-    static final double WORK_ROUND_OFF = 1e-6;
+    static final double ENERGY_ROUND_OFF = 1e-6;
 
     private final NeutralRows rows;
 
@@ -107,7 +107,7 @@ final class RowWork {
             sum += rows.impulse[row] == 0 ? 0 : of(row);
         }
         double energy = motions.energy(motions.data);
-        return Math.abs(energy - freeEnergy - sum) <= WORK_ROUND_OFF * (energy + freeEnergy);
+        return Math.abs(energy - freeEnergy - sum) <= ENERGY_ROUND_OFF * (energy + freeEnergy);
     }
 
     private double of(int row) {
