@@ -148,7 +148,7 @@ class JointWorkTest {
     /**
      * A track of forty links round three driven wheels: between hinges, wheels and ground friction
      * has no unique answer, and sets of rows follow each other without an end. An island of a game
-     * is worth 3 million multiplications a step. The last elimination may exceed that: L·U of 200
+     * is worth 4 million multiplications a step. The last elimination may exceed that: L·U of 200
      * rows in an envelope of up to 60 takes n·w² = 0.7 million, and so does what is solved in
      * passes in the rest of the step. It took 32 million, 0.1 s. The track still drives its load.
      */
@@ -158,7 +158,7 @@ class JointWorkTest {
         pool.add(BodyDefinition.fixed(Polygon.box(60, 1)).at(20, -0.5));
         RigidBody hull = trackedVehicle(pool, 40);
         for (int i = 0; i < 240; i++) {
-            assertThat(pool.step(Scenes.DT).multiplications()).as("step %d", i).isLessThan(4.4e6);
+            assertThat(pool.step(Scenes.DT).multiplications()).as("step %d", i).isLessThan(5.4e6);
             assertThat(worstError(pool)).as("m after step %d", i).isLessThan(1e-3);
         }
         // Wheels of 0.4 m at 6 rad/s, a second of which the motors accelerate.

@@ -28,13 +28,13 @@ final class JointBudget {
      */
     private static final double ELIMINATIONS = 64;
 
-    private static final double FEWEST_ELIMINATIONS = 2;
+    private static final double FEWEST_ELIMINATIONS = 4;
 
     /**
      * Largest budget in a step of GAME, in multiplications, some milliseconds; it grows with the
      * square of the number of substeps. And the largest one from EXACT on.
      */
-    private static final double MOST_WORTH = 3e6;
+    private static final double MOST_WORTH = 4e6;
 
     private static final double MOST_WORTH_IF_EXACT = 3.2e9;
 
