@@ -128,7 +128,7 @@ public final class Catalog {
 
     /** The main menu. */
     public static Scene menu(Director director) {
-        return new MenuScene(director, entries());
+        return new MenuScene(director, entries(), Levels.endless());
     }
 
     /** The settings that a player may choose for all scenes. */

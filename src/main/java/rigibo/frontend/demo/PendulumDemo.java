@@ -133,7 +133,8 @@ final class PendulumDemo implements Demo {
                         words, "pendulum.amplitude", "%.0f°", 0, 179, 1, () -> degrees, this::turn),
                 new Slider(
                         words, "pendulum.length", "%.1f m", 0.4, 2, 0.1, () -> length, this::size),
-                new Slider(words, "pendulum.ratio", "10^%.1f", 0, 4, 0.5, () -> power, this::weigh),
+                new Slider(
+                        words, "pendulum.ratio", this::times, 0, 4, 0.5, () -> power, this::weigh),
                 new Button(words.of("pendulum.again"), this::lay),
                 new Readout(words.of("pendulum.predicted"), () -> seconds(predicted())),
                 new Readout("", () -> Swing.FORMULA),
@@ -145,6 +146,12 @@ final class PendulumDemo implements Demo {
                 new Readout(words.of("pendulum.energy"), this::energy),
                 new Readout(words.of("pendulum.drift"), this::drift),
                 new Readout(words.of("pendulum.stretch"), this::stretch));
+    }
+
+    /** The multiple that a power of ten is, with a decimal where rounding would show. */
+    private String times(double power) {
+        double ratio = Logarithm.pow(10, power);
+        return words.number(ratio > 1 && ratio < 10 ? "%.1f ×" : "%,.0f ×", ratio);
     }
 
     private void choose(int number) {

@@ -45,6 +45,7 @@ public final class MenuScene implements Scene {
     private final Director director;
     private final Words words;
     private final List<SceneEntry> entries;
+    private final SceneEntry endless;
     private final LevelList levels;
     private MenuPlaces places = MenuPlaces.ON_A_DESK;
     private Tiles tiles;
@@ -56,11 +57,16 @@ public final class MenuScene implements Scene {
     private final Playground playground = new Playground();
     private final String tagline;
 
-    /** A menu of entries: the levels, and all other scenes. */
-    public MenuScene(Director director, List<SceneEntry> entries) {
+    /**
+     * A menu of entries: the levels, and all other scenes.
+     *
+     * @param endless offered once all levels are solved
+     */
+    public MenuScene(Director director, List<SceneEntry> entries, SceneEntry endless) {
         this.director = director;
         words = director.words();
         this.entries = List.copyOf(entries);
+        this.endless = endless;
         levels = LevelList.of(entries, director.progress());
         notice = new NoticePlate(director);
         tagline =
@@ -72,8 +78,12 @@ public final class MenuScene implements Scene {
 
     private void layOut(int chosen) {
         List<Tile> laid = new ArrayList<>();
-        if (!levels.levels().isEmpty()) {
-            laid.add(play());
+        if (levels.isComplete()) {
+            Grid halves = Grid.of(places.play(), 2, GAP);
+            laid.add(goOn(halves.place(0)));
+            laid.add(play(halves.place(1)));
+        } else if (!levels.levels().isEmpty()) {
+            laid.add(play(places.play()));
         }
         laid.addAll(row());
         quit = laid.size() - 1;
@@ -81,17 +91,27 @@ public final class MenuScene implements Scene {
         tiles = new Tiles(laid, chosen);
     }
 
-    private Tile play() {
+    /** Leads on to what has no end. */
+    private Tile goOn(Plate place) {
+        String number = words.of("made.endless", director.progress().endless());
+        return way(place, endless.title().apply(words), number, endless);
+    }
+
+    private Tile play(Plate at) {
         int number = levels.next();
         SceneEntry next = levels.levels().get(number);
         String verb = words.of(verb(levels));
         String place = levels.world(number) + "–" + (levels.place(number) + 1);
         String title = place + "   " + next.title().apply(words);
+        return way(at, verb, title, next);
+    }
+
+    private Tile way(Plate at, String verb, String title, SceneEntry to) {
         return Tile.at(
-                places.play(),
+                at,
                 verb + ": " + title,
                 (canvas, tile, isChosen) -> drawPlay(canvas, tile, verb, title, isChosen),
-                () -> open(next));
+                () -> open(to));
     }
 
     private static String verb(LevelList levels) {
@@ -111,8 +131,10 @@ public final class MenuScene implements Scene {
         }
         Print.centred(
                 canvas, verb, tile.middleX(), tile.y() + VERB * tile.height(), 34, Color.DUSK_TOP);
-        Print.centred(
-                canvas, title, tile.middleX(), tile.y() + NEXT * tile.height(), 18, Color.DUSK_TOP);
+        String fitting =
+                Lines.shortened(canvas, title, 18, Canvas.Font.WORDS, tile.width() - 2 * GAP);
+        double y = tile.y() + NEXT * tile.height();
+        Print.centred(canvas, fitting, tile.middleX(), y, 18, Color.DUSK_TOP);
     }
 
     private List<Tile> row() {

@@ -10,6 +10,8 @@ import rigibo.frontend.puzzle.level.LevelLoader;
 import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.puzzle.level.LoadedLevel;
 import rigibo.frontend.puzzle.picture.LevelPicture;
+import rigibo.frontend.scene.Director;
+import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
 import java.nio.file.Path;
@@ -49,11 +51,16 @@ public final class Levels {
                 SceneEntry.of(
                         "daily",
                         director -> new MadeLevelScene(director, Day.of(Clock.systemUTC()))),
-                SceneEntry.of(
-                        "endless",
-                        director ->
-                                new MadeLevelScene(
-                                        director, new Endless(director.progress().endless()))));
+                endless());
+    }
+
+    /** Leads to the player's next endless level. */
+    public static SceneEntry endless() {
+        return SceneEntry.of("endless", Levels::endless);
+    }
+
+    static Scene endless(Director director) {
+        return new MadeLevelScene(director, new Endless(director.progress().endless()));
     }
 
     /** A page for each world with all its levels, called {@code world-1} and so on. */

@@ -12,7 +12,7 @@ import java.util.function.Supplier;
 /** The player's next level after this one. */
 interface Sequel {
 
-    /** Makes the next scene; empty after the last level. */
+    /** Makes the next scene; empty where nothing comes next. */
     Optional<Supplier<Scene>> next();
 
     /** The commands that leave the level, in order of increasing distance. */
@@ -23,13 +23,23 @@ interface Sequel {
     /** The level's window was closed: drops a level in preparation. */
     default void close() {}
 
-    /** The level after one of several; nothing after the last. */
+    /**
+     * The level after one of several. After the last come endless levels, once all of the game's
+     * levels are solved; nothing before that.
+     */
     static Sequel of(Director director, List<Level> levels, int number) {
-        Optional<Supplier<Scene>> next =
-                number + 1 < levels.size()
-                        ? Optional.of(() -> new PuzzleScene(director, levels, number + 1))
+        if (number + 1 < levels.size()) {
+            return () -> Optional.of(() -> new PuzzleScene(director, levels, number + 1));
+        }
+        boolean isOfTheGame = Levels.isOfTheGame(levels.get(number));
+        return () ->
+                isOfTheGame && levels.stream().allMatch(level -> isSolved(director, level))
+                        ? Optional.of(() -> Levels.endless(director))
                         : Optional.empty();
-        return () -> next;
+    }
+
+    private static boolean isSolved(Director director, Level level) {
+        return director.progress().of(level.id(), level.hash()).isSolved();
     }
 
     /** Nothing comes after the level. */

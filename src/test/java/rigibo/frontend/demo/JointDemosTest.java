@@ -112,6 +112,26 @@ class JointDemosTest {
         assertThat(demo.hang().stretch()).isLessThan(1e-3);
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "en, 0, 1 ×", "en, 0.5, 3.2 ×", "en, 1.5, 32 ×", "en, 4, '10,000 ×'",
+        "de, 0, 1 ×", "de, 0.5, '3,2 ×'", "de, 1.5, 32 ×", "de, 4, 10.000 ×"
+    })
+    void massesAreMultiplesInPlainNumbers(String language, double power, String shown) {
+        Words told = new Words(language);
+        PendulumDemo demo = open(new PendulumDemo(told));
+        String ratio = told.of("pendulum.ratio");
+        set(demo, ratio, power);
+        assertThat(demo.widgets())
+                .filteredOn(
+                        widget -> widget instanceof Slider slider && slider.label().equals(ratio))
+                .singleElement()
+                .satisfies(
+                        widget ->
+                                assertThat(((Slider) widget).shown().apply(power))
+                                        .isEqualTo(shown));
+    }
+
     /** Switching off and on again hangs the pendulum anew. */
     @Test
     void whatWasTakenApartIsHungUpAgain() {

@@ -2,6 +2,7 @@ package rigibo.frontend.menu;
 
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
+import rigibo.frontend.scene.Director;
 import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.SceneEntry;
 
@@ -54,6 +55,11 @@ final class Entries {
         return Stream.of("daily", "endless")
                 .map(name -> SceneEntry.of(name, director -> new Named(name)))
                 .toList();
+    }
+
+    /** The main menu of some entries. */
+    static MenuScene menu(Director director, List<SceneEntry> entries) {
+        return new MenuScene(director, entries, made().get(1));
     }
 
     /** Some levels, and all else that the game has. */

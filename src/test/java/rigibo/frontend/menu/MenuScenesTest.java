@@ -113,7 +113,7 @@ class MenuScenesTest {
 
     @Test
     void escapeAsksBeforeItQuits() {
-        MenuScene menu = new MenuScene(director, Entries.all(3));
+        MenuScene menu = Entries.menu(director, Entries.all(3));
         assertThat(menu.escaped()).as("asks").isTrue();
         assertThat(director.said).containsExactly("Esc or Enter again quits");
         press(menu, Key.UP);
@@ -158,7 +158,7 @@ class MenuScenesTest {
                         .solved("level2", Entries.HASH, 9)
                         .starred("level2", Entries.HASH)
                         .solved("level3", 0, 1));
-        assertLegible(new MenuScene(told, Entries.all(15)));
+        assertLegible(Entries.menu(told, Entries.all(15)));
         assertLegible(new LevelsScene(told, Entries.all(15), Entries.made()));
         told.progress(told.progress().solved("level15", Entries.HASH, 1).solved("level17", 0, 1));
         LevelsScene levels = new LevelsScene(told, Entries.all(40), Entries.made());
@@ -169,7 +169,7 @@ class MenuScenesTest {
         assertLegible(new SettingsScene(told));
         told.tell(NOTICE);
         told.tell(NOTICE);
-        assertLegible(new MenuScene(told, Entries.all(15)));
+        assertLegible(Entries.menu(told, Entries.all(15)));
     }
 
     @ParameterizedTest
@@ -182,7 +182,7 @@ class MenuScenesTest {
                         .solved("level1", Entries.HASH, 3)
                         .starred("level1", Entries.HASH)
                         .solved("level3", 0, 1));
-        assertLegibleInHand(new MenuScene(told, Entries.all(15)));
+        assertLegibleInHand(Entries.menu(told, Entries.all(15)));
         LevelsScene levels = new LevelsScene(told, Entries.all(40), Entries.made());
         for (int world = 1; world <= 4; world++) {
             assertLegibleInHand(levels);
@@ -192,7 +192,7 @@ class MenuScenesTest {
         assertLegibleInHand(new KeysScene(told));
         assertLegibleInHand(new StatisticsScene(told, Entries.all(40), LocalDate.EPOCH));
         told.tell(NOTICE);
-        assertLegibleInHand(new MenuScene(told, Entries.all(15)));
+        assertLegibleInHand(Entries.menu(told, Entries.all(15)));
     }
 
     private static void assertLegibleInHand(Scene scene) {
@@ -236,38 +236,54 @@ class MenuScenesTest {
     @Test
     void whoeverHasSolvedEverythingIsThanked() {
         director.progress(Progress.none().solved("level0", Entries.HASH, 1));
-        assertThat(RecordingCanvas.of(new MenuScene(director, Entries.all(2))).texts())
+        assertThat(RecordingCanvas.of(Entries.menu(director, Entries.all(2))).texts())
                 .contains("Continue")
                 .doesNotContain("Play again");
         director.progress(director.progress().solved("level1", Entries.HASH, 1));
-        MenuScene scene = new MenuScene(director, Entries.all(2));
+        MenuScene scene = Entries.menu(director, Entries.all(2));
         assertThat(RecordingCanvas.of(scene).texts())
                 .contains("Play again", "All 2 levels solved. Thank you for playing!");
         assertLegible(scene);
     }
 
     @Test
+    void whoeverHasSolvedEverythingGoesOnWithEndlessLevels() {
+        assertThat(RecordingCanvas.of(Entries.menu(director, Entries.all(1))).texts())
+                .doesNotContain("Endless");
+        director.progress(Progress.none().solved("level0", Entries.HASH, 1).endless(12));
+        MenuScene menu = Entries.menu(director, Entries.all(1));
+        assertThat(RecordingCanvas.of(menu).texts()).contains("Endless", "No. 12");
+        press(menu, Key.ENTER);
+        assertThat(shown()).isEqualTo("endless");
+        press(Entries.menu(director, Entries.all(1)), Key.RIGHT, Key.ENTER);
+        assertThat(shown()).isEqualTo("level0");
+        click(Entries.menu(director, Entries.all(1)), "Endless");
+        assertThat(shown()).isEqualTo("endless");
+        assertLegibleInHand(menu);
+    }
+
+    @Test
     void playGoesOnWithTheNextLevelByEnterAlone() {
-        press(new MenuScene(director, Entries.all(6)), Key.ENTER);
+        press(Entries.menu(director, Entries.all(6)), Key.ENTER);
         assertThat(shown()).isEqualTo("level0");
         director.progress(Progress.none().solved("level0", Entries.HASH, 2));
-        MenuScene menu = new MenuScene(director, Entries.all(6));
+        MenuScene menu = Entries.menu(director, Entries.all(6));
         click(menu, "Continue");
         assertThat(shown()).isEqualTo("level1");
     }
 
     @Test
     void everyTileOfTheMenuIsReachedByArrowsAndByTab() {
-        press(new MenuScene(director, Entries.all(6)), Key.DOWN, Key.DOWN, Key.DOWN, Key.ENTER);
+        press(Entries.menu(director, Entries.all(6)), Key.DOWN, Key.DOWN, Key.DOWN, Key.ENTER);
         assertThat(shown()).isIn("wheel", "crate", "friction", "flood");
-        press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.TAB, Key.ENTER);
+        press(Entries.menu(director, Entries.all(6)), Key.TAB, Key.TAB, Key.ENTER);
         assertThat(shown()).isEqualTo("RigiBo – Statistics");
-        press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.TAB, Key.TAB, Key.ENTER);
+        press(Entries.menu(director, Entries.all(6)), Key.TAB, Key.TAB, Key.TAB, Key.ENTER);
         assertThat(shown()).isEqualTo("RigiBo – Settings");
-        press(new MenuScene(director, Entries.all(6)), Key.TAB, Key.ENTER);
+        press(Entries.menu(director, Entries.all(6)), Key.TAB, Key.ENTER);
         assertThat(director.asked).containsExactly("levels");
         press(
-                new MenuScene(director, Entries.all(6)),
+                Entries.menu(director, Entries.all(6)),
                 Key.TAB,
                 Key.TAB,
                 Key.TAB,
@@ -278,13 +294,13 @@ class MenuScenesTest {
 
     @Test
     void aClickOpensADemo() {
-        click(new MenuScene(director, Entries.all(6)), "Flood");
+        click(Entries.menu(director, Entries.all(6)), "Flood");
         assertThat(shown()).isEqualTo("flood");
     }
 
     @Test
     void withoutLevelsTheRestOfTheMenuWorks() {
-        click(new MenuScene(director, Entries.all(0)), "Crate");
+        click(Entries.menu(director, Entries.all(0)), "Crate");
         assertThat(shown()).isEqualTo("crate");
         press(new LevelsScene(director, Entries.all(0), List.of()), Key.DOWN, Key.ENTER);
         assertThat(director.asked).containsExactly("menu");
@@ -293,7 +309,7 @@ class MenuScenesTest {
     @Test
     void aNoticeStandsBeforeEverythingUntilItIsRead() {
         director.tell(NOTICE);
-        MenuScene menu = new MenuScene(director, Entries.all(6));
+        MenuScene menu = Entries.menu(director, Entries.all(6));
         assertThat(RecordingCanvas.of(menu).texts()).contains("Understood (Enter)");
         press(menu, Key.DOWN, Key.ENTER);
         assertThat(director.shown).isEmpty();
@@ -306,7 +322,7 @@ class MenuScenesTest {
     @Test
     void escReadsANoticeBeforeItLeaves() {
         director.tell(NOTICE);
-        MenuScene menu = new MenuScene(director, Entries.all(6));
+        MenuScene menu = Entries.menu(director, Entries.all(6));
         assertThat(menu.escaped()).isTrue();
         assertThat(director.notices()).isEmpty();
         assertThat(director.said).as("asked whether to quit").isEmpty();

@@ -33,7 +33,7 @@ class NarrationTest {
 
     @Test
     void theMenusButtonsHaveNamesAndCanBePressed() {
-        MenuScene menu = new MenuScene(director, Entries.all(3));
+        MenuScene menu = Entries.menu(director, Entries.all(3));
         RecordingNarrator told = told(menu);
         assertThat(told.names()).contains("Levels", "Statistics", "Settings");
         RecordingNarrator.press(menu, told.control("Settings"));
@@ -44,7 +44,7 @@ class NarrationTest {
     @Test
     void aNoticeIsSaidAndTheOnlyThingToPress() {
         director.tell("A file was damaged.");
-        MenuScene menu = new MenuScene(director, Entries.all(3));
+        MenuScene menu = Entries.menu(director, Entries.all(3));
         RecordingNarrator told = told(menu);
         assertThat(told.said()).containsExactly("A file was damaged.");
         assertThat(told.controls()).hasSize(1);

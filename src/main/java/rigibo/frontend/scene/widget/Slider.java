@@ -7,6 +7,7 @@ import rigibo.frontend.scene.Narrator;
 import rigibo.frontend.scene.Words;
 
 import java.util.function.DoubleConsumer;
+import java.util.function.DoubleFunction;
 import java.util.function.DoubleSupplier;
 import java.util.regex.Pattern;
 
@@ -15,7 +16,7 @@ import java.util.regex.Pattern;
  *
  * @param words the player's
  * @param key of its label
- * @param format how the number is shown, with its unit
+ * @param shown how the number is written, with its unit
  * @param least lower bound
  * @param most upper bound
  * @param notch the step between values
@@ -25,7 +26,7 @@ import java.util.regex.Pattern;
 public record Slider(
         Words words,
         String key,
-        String format,
+        DoubleFunction<String> shown,
         double least,
         double most,
         double notch,
@@ -43,6 +44,23 @@ public record Slider(
 
     private static final double RAIL = 25 / ROW;
 
+    /**
+     * A slider that shows its value itself.
+     *
+     * @param format as of {@link Words#number}
+     */
+    public Slider(
+            Words words,
+            String key,
+            String format,
+            double least,
+            double most,
+            double notch,
+            DoubleSupplier value,
+            DoubleConsumer change) {
+        this(words, key, v -> words.number(format, v), least, most, notch, value, change);
+    }
+
     /** Its name. */
     public String label() {
         return words.of(key);
@@ -56,7 +74,7 @@ public record Slider(
         Color ink = isHot ? Color.TEXT : Color.TEXT_DIM;
         canvas.text(label(), x, middle, 16, Canvas.Font.WORDS, Canvas.Align.LEFT, ink);
         canvas.text(
-                words.number(format, value.getAsDouble()),
+                shown.apply(value.getAsDouble()),
                 x + width,
                 middle,
                 16,
@@ -72,7 +90,7 @@ public record Slider(
 
     @Override
     public void describe(Narrator narrator, Plate place, boolean isHot) {
-        String name = label() + ": " + words.number(format, value.getAsDouble());
+        String name = label() + ": " + shown.apply(value.getAsDouble());
         narrator.offers(place.control(name, Control.Kind.SLIDER, share(), isHot));
     }
 
