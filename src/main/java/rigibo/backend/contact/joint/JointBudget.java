@@ -22,17 +22,18 @@ final class JointBudget {
     private static final double WORTH_IF_EXACT = 1e8;
 
     /**
-     * Budget of an island in a substep, in eliminations of all of its rows: at most, and in any
-     * case. Newton's steps take some ten eliminations; an island that takes fifty tries sets of
-     * rows that contradict each other. Islands that need more are left to passes.
+     * Largest and least budget of an island in a substep, in eliminations of all of its rows.
+     * Newton's steps take some ten eliminations; an island that takes fifty tries sets of rows that
+     * contradict each other. What is left to do in the step is then left to passes.
      */
     private static final double ELIMINATIONS = 64;
 
     private static final double FEWEST_ELIMINATIONS = 4;
 
     /**
-     * Largest budget in a step of GAME, in multiplications, some milliseconds; it grows with the
-     * square of the number of substeps. And the largest one from EXACT on.
+     * Largest budget of an island in a step of GAME, in multiplications, unless the least one is
+     * larger; it grows with the square of the number of substeps. From EXACT on it is the second
+     * number.
      */
     private static final double MOST_WORTH = 4e6;
 
@@ -141,9 +142,9 @@ final class JointBudget {
         mostStrikes = isSmall ? STRUCK_ROWS / Math.max(1, rows.count) : 0;
         double one = isTiny(substepsOfIsland) ? 0 : elimination.workOfAll();
         isWhole = !areMany && one <= worth;
-        double oneEach = one * substepsOfIsland;
-        double least = Math.max(isSmall ? leastWorth : 0, FEWEST_ELIMINATIONS * oneEach);
-        double most = Math.min(mostWorth, ELIMINATIONS * oneEach);
+        double onePerSubstep = one * substepsOfIsland;
+        double least = Math.max(isSmall ? leastWorth : 0, FEWEST_ELIMINATIONS * onePerSubstep);
+        double most = Math.min(mostWorth, ELIMINATIONS * onePerSubstep);
         elimination.beginIsland(Math.max(least, most));
         int affordable = SOLVES / (substepsOfIsland * Math.max(1, rows.count));
         mostPasses = Math.max(LEAST_PASSES, Math.min(PASSES_PER_SUBSTEP * substeps, affordable));

@@ -267,8 +267,8 @@ final class NeutralRows {
     }
 
     /**
-     * The same speed, measured along {@code moved} for an impulse that acts along {@code pushed},
-     * which replace the derivatives of both rows.
+     * Speed along {@code moved} that a unit impulse along {@code pushed} gives through a body of
+     * both rows, 1/kg; these stand for the derivatives of the one and of the other row.
      */
     double through(double[] moved, int row, int i, double[] pushed, int other, int k) {
         double[] m = motions.data;
