@@ -92,6 +92,11 @@ public final class Levels {
         return OfTheGame.LEVELS.stream().anyMatch(placed -> placed.level() == level);
     }
 
+    /** Whether the player has solved a level. */
+    static boolean isSolved(Director director, Level level) {
+        return director.progress().of(level.id(), level.hash()).isSolved();
+    }
+
     /** A level and the number of its world, from 1. */
     private record Placed(Level level, int world) {}
 

@@ -63,7 +63,7 @@ public final class PuzzleScene implements Scene {
                 levels.get(number),
                 new Tally(director, levels.get(number)),
                 Sequel.of(director, levels, number),
-                Lesson.of(levels, number, isSolved(director, levels.get(number))),
+                Lesson.of(levels, number, Levels.isSolved(director, levels.get(number))),
                 number == 0 && levels.size() > 1);
     }
 
@@ -81,10 +81,6 @@ public final class PuzzleScene implements Scene {
     /** A level made by chance, with a ledger and a sequel of its own and without a lesson. */
     PuzzleScene(Director director, Level level, Ledger ledger, Sequel sequel) {
         this(director, level, new Tally(director, level, ledger), sequel, Lesson.none(), false);
-    }
-
-    private static boolean isSolved(Director director, Level level) {
-        return director.progress().of(level.id(), level.hash()).isSolved();
     }
 
     private PuzzleScene(

@@ -33,13 +33,9 @@ interface Sequel {
         }
         boolean isOfTheGame = Levels.isOfTheGame(levels.get(number));
         return () ->
-                isOfTheGame && levels.stream().allMatch(level -> isSolved(director, level))
+                isOfTheGame && levels.stream().allMatch(level -> Levels.isSolved(director, level))
                         ? Optional.of(() -> Levels.endless(director))
                         : Optional.empty();
-    }
-
-    private static boolean isSolved(Director director, Level level) {
-        return director.progress().of(level.id(), level.hash()).isSolved();
     }
 
     /** Nothing comes after the level. */
