@@ -119,7 +119,7 @@ public final class BentRows {
     /** Finds which contacts turn, and which of them are measured again. */
     private void lookAt(int from, int to, int worker) {
         for (int row = from; row < to; row++) {
-            turns[row] = turning != null && turning.isTurning(row, left);
+            turns[row] = turning != null && turning.isTurning(row);
             curves[row] = curved != null && curved.isCurved(row, left);
             boolean isAwaited = fresh.isAwaited(row);
             boolean isNew = isFirst && (substep == 0 || contacts.firstSubstep[row] == substep);

@@ -41,16 +41,14 @@ public final class CurvedRows {
     /** Whether a contact's normal turns in the step, of which {@code left} seconds remain. */
     boolean isCurved(int row, double left) {
         int pair = contacts.pair[row];
-        double way = Math.abs(slid(row)) + Math.abs(slide(row)) * left;
-        double shows = straight.unseen() * contacts.width(row);
-        if (!(way > shows)) {
+        boolean isFace = pairs.faceOf[pair] != Pairs.NONE;
+        double radius = isFace ? 0 : radius(pair);
+        if (radius == 0 && !motions.areFew()) {
             return false;
         }
-        if (pairs.faceOf[pair] != Pairs.NONE) {
-            return motions.areFew() && leavesFace(row, pair, way);
-        }
-        double radius = radius(pair);
-        return (radius > 0 || motions.areFew()) && opens(radius, way) > shows;
+        double way = Math.abs(slid(row)) + Math.abs(slide(row)) * left;
+        double shows = straight.unseen() * contacts.width(row);
+        return way > shows && (isFace ? leavesFace(row, pair, way) : opens(radius, way) > shows);
     }
 
     /**

@@ -58,6 +58,9 @@ public final class TurningRows {
     /** Whether any body of the packed island turns too far. */
     private boolean isAnyTurning;
 
+    /** By entry of the motions: whether that body turns too far; valid only if any does. */
+    private boolean[] turnsFar = new boolean[16];
+
     /** Sagitta of a whole step that is neglected, in widths. */
     private final Straightness straight;
 
@@ -113,11 +116,11 @@ public final class TurningRows {
         return sagitta(slot, turn) + way * turn;
     }
 
-    /** Whether an outline of a contact turns in the step, of which {@code left} seconds remain. */
-    boolean isTurning(int row, double left) {
+    /** Whether an outline of a contact turns in the rest of the step, as the substep begins. */
+    boolean isTurning(int row) {
         return isAnyTurning
-                && (isTurningBody(contacts.bodyA[row], left)
-                        || isTurningBody(contacts.bodyB[row], left));
+                && (turnsFar[contacts.bodyA[row] / Motions.STRIDE]
+                        || turnsFar[contacts.bodyB[row] / Motions.STRIDE]);
     }
 
     /** Makes a contact straight again that was bent in the last substep. */
@@ -168,8 +171,12 @@ public final class TurningRows {
     /** Starts a substep; {@code left} seconds of the step remain. */
     void begin(double left) {
         isAnyTurning = false;
-        for (int entry = 1; !isAnyTurning && entry < motions.count; entry++) {
-            isAnyTurning = isTurningBody(entry * Motions.STRIDE, left);
+        if (turnsFar.length < motions.count) {
+            turnsFar = new boolean[motions.slots.length];
+        }
+        for (int entry = 1; entry < motions.count; entry++) {
+            turnsFar[entry] = isTurningBody(entry * Motions.STRIDE, left);
+            isAnyTurning |= turnsFar[entry];
         }
     }
 
@@ -279,9 +286,6 @@ public final class TurningRows {
     }
 
     private boolean isTurningBody(int entry, double left) {
-        if (entry == 0) {
-            return false;
-        }
         int slot = motions.slots[entry / Motions.STRIDE];
         double turn =
                 Math.abs(motions.data[entry + Motions.TURN])

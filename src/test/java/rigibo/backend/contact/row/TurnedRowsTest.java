@@ -219,7 +219,7 @@ class TurnedRowsTest {
         assertThat(of(PackedContacts.GAP0)).isZero();
         assertThat(contacts.surface[0]).isZero();
         turning.begin(1);
-        assertThat(turning.isTurning(0, 1)).isFalse();
+        assertThat(turning.isTurning(0)).isFalse();
     }
 
     /** By a sagitta rφ²/2 of a hundredth of the tolerance in widths, among few bodies. */
@@ -233,13 +233,13 @@ class TurnedRowsTest {
         for (int slot : new int[] {a, b}) {
             set(slot, Motions.SPIN, turn / 0.1);
             turning.begin(0.1);
-            assertThat(turning.isTurning(0, 0.1)).isEqualTo(isTurning);
+            assertThat(turning.isTurning(0)).isEqualTo(isTurning);
             set(slot, Motions.SPIN, 0);
             turning.begin(0.1);
-            assertThat(turning.isTurning(0, 0.1)).isFalse();
+            assertThat(turning.isTurning(0)).isFalse();
             set(slot, Motions.TURN, turn);
             turning.begin(0.1);
-            assertThat(turning.isTurning(0, 0.1)).isEqualTo(isTurning);
+            assertThat(turning.isTurning(0)).isEqualTo(isTurning);
             set(slot, Motions.TURN, 0);
         }
     }
@@ -259,13 +259,12 @@ class TurnedRowsTest {
         set(c, Motions.SPIN, 1);
         turning.begin(0.1);
         for (int row = 0; row < 3; row++) {
-            assertThat(turning.isTurning(row, 0.1)).isEqualTo(contacts.pair[row] == other);
+            assertThat(turning.isTurning(row)).isEqualTo(contacts.pair[row] == other);
         }
         set(c, Motions.SPIN, 0);
         set(a, Motions.SPIN, 1);
-        assertThat(turning.isTurning(0, 0.1)).isTrue();
         turning.begin(0.1);
-        assertThat(turning.isTurning(0, 0.1)).isTrue();
+        assertThat(turning.isTurning(0)).isTrue();
     }
 
     /** Contacts of bodies that turn by more than half of 0.1 rad, if they may close. */
