@@ -5,15 +5,16 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Found;
 import rigibo.backend.storage.JointStore;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Waking;
 
 import java.util.Arrays;
 
 /**
  * How far bodies of piles may leave their predicted paths because they are struck or about to
  * bounce. A flyer within reach of such a body joins the pile, a body of a pile within reach gets a
- * contact with it, and their own reach spreads in the same way. Gaps on the way reduce a reach, and
- * a struck body gets a share of it by its mass. Whenever the reach of a body has grown, its
- * neighbours are searched again.
+ * contact with it, a sleeper within reach wakes, and their own reach spreads in the same way. Gaps
+ * on the way reduce a reach, and a struck body gets a share of it by its mass. Whenever the reach
+ * of a body has grown, its neighbours are searched again.
  */
 final class Disturbance {
 
@@ -35,6 +36,7 @@ final class Disturbance {
     private final Pairs pairs;
     private final Trajectories paths;
     private final Bystanders bystanders;
+    private final Waking waking;
     private final Joining joining;
 
     /** Null if joints are not declared. */
@@ -51,12 +53,18 @@ final class Disturbance {
     /** By body: its reach in this step, m. */
     private double[] reachOf = new double[16];
 
-    Disturbance(DataStorage data, Trajectories paths, Bystanders bystanders, Joining joining) {
+    Disturbance(
+            DataStorage data,
+            Trajectories paths,
+            Bystanders bystanders,
+            Waking waking,
+            Joining joining) {
         bodies = data.bodies;
         pairs = data.pairs;
         joints = data.joints;
         this.paths = paths;
         this.bystanders = bystanders;
+        this.waking = waking;
         this.joining = joining;
     }
 
@@ -134,7 +142,7 @@ final class Disturbance {
             int other = pairs.other(p, slot);
             boolean flies = paths.isFlyer(other);
             if (!flies && pairs.points[p] > 0) {
-                note(other, bystanders.reachLeft(p, other, reach, dt));
+                disturb(other, bystanders.reachLeft(p, other, reach, dt));
             } else if (bystanders.isWithinReach(p, reach, time, dt - time)) {
                 double left = bystanders.reachLeft(p, other, reach, dt);
                 if (flies) {
@@ -144,12 +152,20 @@ final class Disturbance {
                     bystanders.isWithinReach(p, reach, time, dt - time);
                     noteBouncersOf(other, dt - time);
                 }
-                note(other, left);
+                disturb(other, left);
             }
         }
         if (joints != null) {
             disturbJoined(slot, reach);
         }
+    }
+
+    /** Records the reach (m) that a neighbour gets; a sleeper wakes, with all that it touches. */
+    private void disturb(int slot, double reach) {
+        if (reach > 0 && waking.isAsleep(slot)) {
+            waking.wakeIntoPile(slot);
+        }
+        note(slot, reach);
     }
 
     /**

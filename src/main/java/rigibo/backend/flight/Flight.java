@@ -91,8 +91,9 @@ public final class Flight {
         bystanders =
                 new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
         expectedHits = new ExpectedHits(data, paths);
-        disturbance = new Disturbance(data, paths, bystanders, this::join);
-        followers = new Followers(data, paths, bystanders, expectedHits, this::join, accuracy);
+        disturbance = new Disturbance(data, paths, bystanders, waking, this::join);
+        followers =
+                new Followers(data, paths, bystanders, waking, expectedHits, this::join, accuracy);
     }
 
     /** Moves every flyer to the end of a step of {@code dt} seconds, impact by impact. */
@@ -144,6 +145,7 @@ public final class Flight {
         repredict(flyer, time, dt);
         for (int p = bodies.firstPair[flyer]; p != Pairs.NONE; p = pairs.nextOf(p, flyer)) {
             if (pairs.points[p] > 0 && !paths.isFlyer(pairs.other(p, flyer))) {
+                waking.wakeWhatIsHit(p, dt - time);
                 expectedHits.expect(p, time, 0, dt);
             }
         }

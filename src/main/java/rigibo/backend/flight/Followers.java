@@ -6,6 +6,7 @@ import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.KeptOverlap;
 import rigibo.backend.storage.PairTolerances;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Waking;
 
 import java.util.Arrays;
 
@@ -17,8 +18,8 @@ import java.util.Arrays;
  *
  * <p>As the step begins, ways that bodies may be led off are handed on from contact to contact
  * ({@link Ways}). A flyer that such a body would get into joins its pile, and other bodies of piles
- * within its reach get a contact with it. A flyer also joins where joints may lead a body into it
- * ({@link Sway}).
+ * within its reach get a contact with it. A sleeper that may be led off wakes. A flyer also joins
+ * where joints may lead a body into it ({@link Sway}).
  */
 final class Followers {
 
@@ -35,6 +36,7 @@ final class Followers {
     private final Pairs pairs;
     private final Trajectories paths;
     private final Bystanders bystanders;
+    private final Waking waking;
     private final ExpectedHits hits;
     private final Disturbance.Joining joining;
     private final Ways ways;
@@ -50,6 +52,7 @@ final class Followers {
             DataStorage data,
             Trajectories paths,
             Bystanders bystanders,
+            Waking waking,
             ExpectedHits hits,
             Disturbance.Joining joining,
             Accuracy accuracy) {
@@ -57,6 +60,7 @@ final class Followers {
         pairs = data.pairs;
         this.paths = paths;
         this.bystanders = bystanders;
+        this.waking = waking;
         this.hits = hits;
         this.joining = joining;
         sway = new Sway(data);
@@ -89,7 +93,7 @@ final class Followers {
     /** Lets the flyer of a pair join if joints could lead the other body into it. */
     private void joinIfSwayed(int pair, int slot, double dt) {
         boolean flies = paths.isFlyer(pairs.other(pair, slot));
-        if (!flies || paths.isFlyer(slot) || !ways.mayMove(slot)) {
+        if (!flies || paths.isFlyer(slot) || !bodies.isDynamic(slot)) {
             return;
         }
         double reach = sway.reach(slot, dt);
@@ -126,16 +130,28 @@ final class Followers {
             return;
         }
         searched[slot] = reach;
+        wake(slot, dt);
         bystanders.lookAlong(slot, dt, reach);
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             int other = pairs.other(p, slot);
-            if (!ways.mayMove(other)) {
+            if (!bodies.isDynamic(other)) {
                 continue;
             }
             if (paths.isFlyer(other)) {
                 joinIfMet(p, slot, reach, dt);
             } else if (pairs.points[p] == 0 && bystanders.isWithinReach(p, reach, 0, dt)) {
                 ways.add(p, dt);
+            }
+        }
+    }
+
+    /** Wakes a sleeper that is led off, with all that it touches. */
+    private void wake(int slot, double dt) {
+        if (waking.isAsleep(slot)) {
+            int known = pairs.activeCount;
+            waking.wakeIntoPile(slot);
+            for (int i = known; i < pairs.activeCount; i++) {
+                add(pairs.active[i], dt);
             }
         }
     }

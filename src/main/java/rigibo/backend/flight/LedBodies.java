@@ -89,7 +89,7 @@ final class LedBodies {
         slots[entry] = slot;
         entries[slot] = entry;
         mass[entry] = isDynamic ? 1 / bodies.inverseMass[slot] : Double.POSITIVE_INFINITY;
-        moves[entry] = isDynamic && bodies.awake[slot];
+        moves[entry] = isDynamic;
         firstWay[entry] = 0;
         lastSide[entry] = NONE;
         return entry;

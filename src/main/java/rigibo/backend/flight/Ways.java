@@ -153,11 +153,6 @@ final class Ways {
         return known > least ? known : least;
     }
 
-    /** Whether a body can be led off. */
-    boolean mayMove(int slot) {
-        return bodies.isDynamic(slot) && bodies.awake[slot];
-    }
-
     /** Leads a body off on a way along a normal; returns whether farther than before. */
     private boolean lead(
             int body,

@@ -45,30 +45,8 @@ public final class PileClassifier {
             classifyPair(pairs.active[i]);
         }
         for (int i = 0; i < pairs.activeCount; i++) {
-            wakeWhatIsHit(pairs.active[i], dt);
+            waking.wakeWhatIsHit(pairs.active[i], dt);
         }
-    }
-
-    /** Wakes a sleeper that a pile or a driven body is about to touch. */
-    private void wakeWhatIsHit(int pair, double dt) {
-        int a = pairs.bodyA[pair];
-        int b = pairs.bodyB[pair];
-        boolean hitsB = isPushing(a) && isAsleep(b);
-        boolean hitsA = isPushing(b) && isAsleep(a);
-        if ((hitsA || hitsB) && pairs.points[pair] > 0) {
-            double closing = -dt * slowestParting(pair);
-            if (pairs.gap(pair) <= closing) {
-                pile(hitsA ? a : b);
-            }
-        }
-    }
-
-    private boolean isPushing(int slot) {
-        return bodies.isDriven(slot) || bodies.isDynamic(slot) && bodies.piled[slot];
-    }
-
-    private boolean isAsleep(int slot) {
-        return bodies.isDynamic(slot) && !bodies.awake[slot];
     }
 
     private void classifyPair(int pair) {
@@ -131,17 +109,6 @@ public final class PileClassifier {
             fastest = Math.max(fastest, PointSpeeds.parting(bodies, pairs, pair, point));
         }
         return fastest;
-    }
-
-    private double slowestParting(int pair) {
-        if (!bodies.turns()) {
-            return partingOfCentres(pair);
-        }
-        double slowest = Double.POSITIVE_INFINITY;
-        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
-            slowest = Math.min(slowest, PointSpeeds.parting(bodies, pairs, pair, point));
-        }
-        return slowest;
     }
 
     /** Parting speed without rotation, which is the same at all points, m/s. */

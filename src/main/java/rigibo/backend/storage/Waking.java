@@ -79,6 +79,41 @@ public final class Waking {
         }
     }
 
+    /**
+     * Wakes a sleeper that the other body of a pair, in a pile or driven, is about to touch within
+     * dt seconds.
+     */
+    public void wakeWhatIsHit(int pair, double dt) {
+        int a = pairs.bodyA[pair];
+        int b = pairs.bodyB[pair];
+        boolean hitsB = isPushing(a) && isAsleep(b);
+        boolean hitsA = isPushing(b) && isAsleep(a);
+        if ((hitsA || hitsB) && pairs.points[pair] > 0) {
+            double closing = -dt * slowestParting(pair);
+            if (pairs.gap(pair) <= closing) {
+                wakeIntoPile(hitsA ? a : b);
+            }
+        }
+    }
+
+    private boolean isPushing(int slot) {
+        return bodies.isDriven(slot) || bodies.isDynamic(slot) && bodies.piled[slot];
+    }
+
+    /** Whether a body sleeps. */
+    public boolean isAsleep(int slot) {
+        return bodies.isDynamic(slot) && !bodies.awake[slot];
+    }
+
+    /** Least parting speed of a pair's points, m/s; negative if one of them closes. */
+    private double slowestParting(int pair) {
+        double slowest = Double.POSITIVE_INFINITY;
+        for (int point = 2 * pair; point < 2 * pair + pairs.points[pair]; point++) {
+            slowest = Math.min(slowest, PointSpeeds.parting(bodies, pairs, pair, point));
+        }
+        return slowest;
+    }
+
     private void spread() {
         while (depth > 0) {
             int slot = stack[--depth];

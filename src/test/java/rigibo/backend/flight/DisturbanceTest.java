@@ -14,6 +14,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.JointKind;
 import rigibo.backend.storage.Pairs;
+import rigibo.backend.storage.Waking;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -37,7 +38,8 @@ class DisturbanceTest {
                     Accuracy.GAME.impactTolerance());
     private final List<Integer> joined = new ArrayList<>();
     private final Disturbance disturbance =
-            new Disturbance(air.storage.data, paths, bystanders, this::join);
+            new Disturbance(
+                    air.storage.data, paths, bystanders, new Waking(air.storage.data), this::join);
 
     private void join(int flyer, int pileBody, double time, double dt) {
         paths.land(flyer, time);
@@ -237,6 +239,7 @@ class DisturbanceTest {
                                 jointed.broadphase,
                                 courses,
                                 Accuracy.GAME.impactTolerance()),
+                        new Waking(jointed.storage.data),
                         (flyer, body, time, dt) -> {
                             courses.land(flyer, time);
                             met.add(flyer);

@@ -99,6 +99,28 @@ class FollowersTest {
         }
     }
 
+    /**
+     * A disc closes by 3.9 mm on one that rests, which is led off by half of that; the sleeper
+     * behind a gap g gets two thirds of what is left of it. It wakes from 1 mm on, at g = 0.45 mm;
+     * 4 mm would count as an impact.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.0001, true", "0.0004, true", "0.0005, false", "0.003, false"})
+    void aSleeperThatIsLedOffWakes(double gap, boolean wakes) {
+        piled(0, 0.0078);
+        piled(2, 0);
+        int sleeper = disc(4 + gap, 0);
+        int beyond = disc(6 + gap, 0);
+        for (int slot : new int[] {sleeper, beyond}) {
+            air.bodies.awake[slot] = false;
+        }
+        air.storage.data.roster.isStale = true;
+        air.fly(DT);
+
+        assertThat(air.bodies.awake[sleeper]).isEqualTo(wakes);
+        assertThat(air.bodies.piled[sleeper]).isEqualTo(wakes);
+    }
+
     /** A flyer that joins may be led into the next one. */
     @Test
     void oneFollowerBringsTheNext() {

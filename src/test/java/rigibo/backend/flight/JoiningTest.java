@@ -305,6 +305,49 @@ class JoiningTest {
         requireJoined(false, beside, 0);
     }
 
+    private int sleeper(double x) {
+        int slot = disc(x, 0);
+        air.bodies.awake[slot] = false;
+        air.storage.data.roster.isStale = true;
+        return slot;
+    }
+
+    private void requireAwake(boolean isAwake, int slot) {
+        assertThat(air.bodies.awake[slot]).as("body %d is awake", slot).isEqualTo(isAwake);
+        assertThat(air.bodies.piled[slot]).isEqualTo(isAwake);
+    }
+
+    /** Bouncers get 1 m to either side, and their own speeds bring them at most ¼ m nearer. */
+    @ParameterizedTest
+    @CsvSource({"0.99, true", "1.26, false"})
+    void sleepersBesideBouncersWake(double gap, boolean wakes) {
+        piled(0, 0.5);
+        piled(2, -0.5);
+        int right = sleeper(4 + gap);
+        int left = sleeper(-2 - gap);
+        air.fly(0.5);
+
+        requireAwake(wakes, right);
+        requireAwake(wakes, left);
+    }
+
+    /**
+     * Bouncers get 1 m to either side. The flyer beside them joins at once; it flies 2 m in the
+     * step, and 2 m more at most if it is struck.
+     */
+    @ParameterizedTest
+    @CsvSource({"1.9, true", "4.1, false"})
+    void whoJoinsWakesTheSleeperAhead(double gap, boolean wakes) {
+        piled(0, 0.5);
+        piled(2, -0.5);
+        int flyer = disc(4.5, 4);
+        int sleeper = sleeper(6.5 + gap);
+        air.fly(0.5);
+
+        requireJoined(true, flyer, 0);
+        requireAwake(wakes, sleeper);
+    }
+
     /**
      * The middle one of three is the first or the second body of its pairs; both impacts are
      * simultaneous.
