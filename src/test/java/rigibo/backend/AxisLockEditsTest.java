@@ -10,15 +10,12 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
-import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
-import rigibo.backend.setup.Material;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -29,9 +26,6 @@ class AxisLockEditsTest {
 
     private static final double DT = 1 / 60.0;
     private static final double G = 9.81;
-    private static final Material SMOOTH = new Material(1000, 0, 0);
-    private static final Effects SLIPPERY =
-            Effects.usual().without(Friction.class).without(Sleep.class);
 
     @Test
     void locksChangeWhileTheBodyMoves() {

@@ -108,7 +108,6 @@ public final class Rounds {
     private final Motions motions;
     private final PackedContacts contacts;
     private final OwnLoads own;
-    private final DeclaredRows declared;
     private final EnergyGuard guard;
     private final ContactSweep sweep;
     private final OverlapSolver overlap;
@@ -147,7 +146,6 @@ public final class Rounds {
             Motions motions,
             PackedContacts contacts,
             OwnLoads own,
-            DeclaredRows declared,
             EnergyGuard guard,
             ContactSweep sweep,
             OverlapSolver overlap,
@@ -155,7 +153,6 @@ public final class Rounds {
         this.motions = motions;
         this.contacts = contacts;
         this.own = own;
-        this.declared = declared;
         this.guard = guard;
         this.sweep = sweep;
         this.overlap = overlap;

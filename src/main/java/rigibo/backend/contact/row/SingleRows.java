@@ -12,11 +12,9 @@ public final class SingleRows {
     /** Most rows of an island that is eliminated; for larger ones it costs more than it gains. */
     public static final int MOST_ELIMINATED = 192;
 
-    private final Motions motions;
     private final PackedContacts contacts;
 
-    public SingleRows(Motions motions, PackedContacts contacts) {
-        this.motions = motions;
+    public SingleRows(PackedContacts contacts) {
         this.contacts = contacts;
     }
 

@@ -39,7 +39,7 @@ public final class EnergyGuard {
     public EnergyGuard(Motions motions, PackedContacts contacts) {
         this.motions = motions;
         this.contacts = contacts;
-        single = new SingleRows(motions, contacts);
+        single = new SingleRows(contacts);
     }
 
     /** Stores the kinetic energy before contacts are solved. */

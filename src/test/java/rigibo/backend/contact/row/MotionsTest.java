@@ -81,7 +81,7 @@ class MotionsTest {
     @Test
     void singleRowsAreTheRowsOfContacts() {
         SplittableRandom random = new SplittableRandom(2);
-        SingleRows single = new SingleRows(motions, contacts);
+        SingleRows single = new SingleRows(contacts);
         for (int i = 0; i < 100; i++) {
             island.bodies(random, 3);
             island.contact(random, 0, 1);
