@@ -47,7 +47,7 @@ public final class CurvedRows {
             return false;
         }
         if (pairs.faceOf[pair] != Pairs.NONE) {
-            return motions.areFew() && leavesFace(row, pair, way);
+            return motions.areFew() && leavesFace(pair, way);
         }
         double radius = radius(pair);
         return (radius > 0 || motions.areFew()) && opens(radius, way) > shows;
@@ -107,7 +107,7 @@ public final class CurvedRows {
     }
 
     /** Whether a corner, or the lowest point of a disc, reaches the end of the face it is on. */
-    private boolean leavesFace(int row, int pair, double way) {
+    private boolean leavesFace(int pair, double way) {
         double apart = findFaces(pair);
         for (int i = 0; i < 2; i++) {
             for (int j = 0; j < 2; j++) {

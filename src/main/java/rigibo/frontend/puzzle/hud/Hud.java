@@ -81,7 +81,7 @@ final class Hud {
     void draw(Canvas canvas, Words words, Session session, Refusal refusal, Motion motion) {
         double right = drawRight(canvas, words, session, refusal, motion);
         String title = level.title().in(words.locale());
-        text(canvas, title, LEFT, TITLE_SIZE, Canvas.Align.LEFT, Color.BRASS);
+        text(canvas, title, LEFT, TITLE_SIZE, Color.BRASS);
         double left = LEFT + canvas.textWidth(title, TITLE_SIZE, Canvas.Font.WORDS) + GAP;
         message(words, session, refusal, late(words, session))
                 .ifPresent(message -> drawBetween(canvas, message, left, right));
@@ -130,7 +130,7 @@ final class Hud {
     private static void drawBetween(Canvas canvas, String state, double left, double right) {
         double width = canvas.textWidth(state, WORDS_SIZE, Canvas.Font.WORDS);
         if (left + width + GAP <= right) {
-            text(canvas, state, left, WORDS_SIZE, Canvas.Align.LEFT, Color.TEXT);
+            text(canvas, state, left, WORDS_SIZE, Color.TEXT);
         }
     }
 
@@ -235,8 +235,7 @@ final class Hud {
         return Command.key(constant);
     }
 
-    private static void text(
-            Canvas canvas, String words, double x, double size, Canvas.Align align, Color color) {
-        canvas.text(words, x, MIDDLE, size, Canvas.Font.WORDS, align, color);
+    private static void text(Canvas canvas, String words, double x, double size, Color color) {
+        canvas.text(words, x, MIDDLE, size, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
     }
 }

@@ -89,12 +89,11 @@ class MotionsTest {
             island.run(row, 0.7);
             for (int kind = 0; kind < SingleRows.ROWS_PER_CONTACT; kind++) {
                 int id = SingleRows.ROWS_PER_CONTACT * row + kind;
-                double speed =
-                        single.relative(motions.data, id, Motions.VX, Motions.VY, Motions.SPIN);
+                double speed = single.relative(motions.data, id);
                 assertThat(speed).isCloseTo(dense.speed(row, kind), within(ROUND_OFF));
                 assertThat(single.running(id)).isEqualTo(kind == SingleRows.TANGENT ? 0.7 : 0);
                 double[] before = dense.velocities();
-                single.push(motions.data, id, 0.3, Motions.VX, Motions.VY, Motions.SPIN);
+                single.push(motions.data, id, 0.3);
                 double[] unit = new double[DenseRows.KINDS * contacts.count];
                 unit[DenseRows.KINDS * row + kind] = 0.3;
                 double[] change = dense.change(unit);
