@@ -14,6 +14,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 
@@ -92,8 +93,8 @@ class AxisLockEditsTest {
 
     /** To the bit, whatever else the pool solves. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void aSceneWithoutLocksKeepsItsBitsBesideALockedStranger(Presets preset) {
+    @EnumSource(Preset.class)
+    void aSceneWithoutLocksKeepsItsBitsBesideALockedStranger(Preset preset) {
         Random random = new Random(5);
         Pool alone = new Pool(Effects.usual().with(new Joints()), preset.accuracy);
         Pool beside = new Pool(Effects.usual().with(new Joints()), preset.accuracy);
@@ -153,8 +154,8 @@ class AxisLockEditsTest {
 
     /** A snapshot in the midst of it goes on to the same bits. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void aRestoredPoolGoesOnAlike(Presets preset) {
+    @EnumSource(Preset.class)
+    void aRestoredPoolGoesOnAlike(Preset preset) {
         Pool pool = new Pool(Effects.usual(), preset.accuracy);
         pool.add(BodyDefinition.fixed(Polygon.box(20, 1)).at(0, -0.5));
         pool.add(BodyDefinition.dynamic(Polygon.box(2, 0.2)).at(0, 1).lockY().lockRotation());

@@ -10,6 +10,7 @@ import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.BodyDefinition;
 
 /** Joined sleepers that are woken within a step. */
@@ -25,7 +26,7 @@ class StruckSleepersTest {
      */
     @ParameterizedTest
     @CsvSource({"DRAFT, 1e-3", "GAME, 1e-4", "FINE, 1e-6", "EXACT, 1e-9"})
-    void sleepersThatAreStruckStayJoined(Presets preset, double most) {
+    void sleepersThatAreStruckStayJoined(Preset preset, double most) {
         Pool pool = new Pool(EARTH, preset.accuracy);
         pool.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5));
         RigidBody before = null;
