@@ -1,6 +1,5 @@
 package rigibo.examples;
 
-import rigibo.backend.Joint;
 import rigibo.backend.Pool;
 import rigibo.backend.PrismaticJoint;
 import rigibo.backend.RevoluteJoint;
@@ -23,7 +22,6 @@ public final class SliderCrank implements Exhibit {
 
     RigidBody crank;
     RigidBody piston;
-    Joint axle;
 
     @Override
     public Effects effects() {
@@ -39,7 +37,7 @@ public final class SliderCrank implements Exhibit {
         RigidBody rod = pool.add(bar(ROD, 0, CRANK + ROD / 2).angle(Math.PI / 2));
         piston =
                 pool.add(BodyDefinition.dynamic(Polygon.box(1.1, 0.5)).at(0, CRANK + ROD).group(1));
-        axle = pool.join(RevoluteJoint.at(frame, crank, 0, 0).motor(SPEED, 1e5));
+        pool.join(RevoluteJoint.at(frame, crank, 0, 0).motor(SPEED, 1e5));
         pool.join(RevoluteJoint.at(crank, rod, 0, CRANK));
         pool.join(RevoluteJoint.at(rod, piston, 0, CRANK + ROD));
         pool.join(PrismaticJoint.along(frame, piston, 0, CRANK + ROD, Math.PI / 2));

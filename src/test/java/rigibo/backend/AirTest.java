@@ -14,6 +14,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Wind;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -34,20 +35,6 @@ class AirTest {
             double share = 1 - Math.exp(-3 * i * Scenes.DT);
             assertThat(leaf.velocityX()).isEqualTo(6 * share, within(1e-12));
             assertThat(leaf.velocityY()).isEqualTo(-2 * share, within(1e-12));
-        }
-    }
-
-    /** All four presets: where it is exact, none may be worse. */
-    enum Preset {
-        DRAFT(Accuracy.DRAFT),
-        GAME(Accuracy.GAME),
-        FINE(Accuracy.FINE),
-        EXACT(Accuracy.EXACT);
-
-        final Accuracy accuracy;
-
-        Preset(Accuracy accuracy) {
-            this.accuracy = accuracy;
         }
     }
 

@@ -10,15 +10,13 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
-import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Joints;
-import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
-import rigibo.backend.setup.Material;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -29,9 +27,6 @@ class AxisLockEditsTest {
 
     private static final double DT = 1 / 60.0;
     private static final double G = 9.81;
-    private static final Material SMOOTH = new Material(1000, 0, 0);
-    private static final Effects SLIPPERY =
-            Effects.usual().without(Friction.class).without(Sleep.class);
 
     @Test
     void locksChangeWhileTheBodyMoves() {
@@ -98,8 +93,8 @@ class AxisLockEditsTest {
 
     /** To the bit, whatever else the pool solves. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void aSceneWithoutLocksKeepsItsBitsBesideALockedStranger(Presets preset) {
+    @EnumSource(Preset.class)
+    void aSceneWithoutLocksKeepsItsBitsBesideALockedStranger(Preset preset) {
         Random random = new Random(5);
         Pool alone = new Pool(Effects.usual().with(new Joints()), preset.accuracy);
         Pool beside = new Pool(Effects.usual().with(new Joints()), preset.accuracy);
@@ -159,8 +154,8 @@ class AxisLockEditsTest {
 
     /** A snapshot in the midst of it goes on to the same bits. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void aRestoredPoolGoesOnAlike(Presets preset) {
+    @EnumSource(Preset.class)
+    void aRestoredPoolGoesOnAlike(Preset preset) {
         Pool pool = new Pool(Effects.usual(), preset.accuracy);
         pool.add(BodyDefinition.fixed(Polygon.box(20, 1)).at(0, -0.5));
         pool.add(BodyDefinition.dynamic(Polygon.box(2, 0.2)).at(0, 1).lockY().lockRotation());

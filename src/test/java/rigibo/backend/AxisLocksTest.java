@@ -17,6 +17,7 @@ import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -35,8 +36,8 @@ class AxisLocksTest {
 
     /** Without the lock it would slide 12 m in that time; what holds it pushes along the slope. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void whatIsLockedInXDoesNotSlideDownASlope(Presets preset) {
+    @EnumSource(Preset.class)
+    void whatIsLockedInXDoesNotSlideDownASlope(Preset preset) {
         Pool pool = new Pool(SLIPPERY, preset.accuracy);
         double slope = Math.toRadians(30);
         pool.add(BodyDefinition.fixed(Polygon.box(20, 1)).angle(slope).material(SMOOTH));
@@ -61,8 +62,8 @@ class AxisLocksTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void whatIsLockedInYCarriesAPile(Presets preset) {
+    @EnumSource(Preset.class)
+    void whatIsLockedInYCarriesAPile(Preset preset) {
         Pool pool = new Pool(Effects.usual().without(Sleep.class), preset.accuracy);
         RigidBody shelf =
                 pool.add(
@@ -83,7 +84,7 @@ class AxisLocksTest {
         assertThat(shelf.x()).isEqualTo(0, within(1e-6));
         for (int i = 0; i < 5; i++) {
             // Each contact keeps an overlap of 1e-5 of half a metre; DRAFT solves less strictly.
-            double kept = preset == Presets.DRAFT ? 5e-3 : 1e-4;
+            double kept = preset == Preset.DRAFT ? 5e-3 : 1e-4;
             assertThat(boxes.get(i).y()).isEqualTo(5.35 + i * 0.5, within(kept));
             assertThat(boxes.get(i).velocityY()).isEqualTo(0, within(1e-3));
         }
@@ -112,8 +113,8 @@ class AxisLocksTest {
      * normal.
      */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void impactCountsTheMassAlongTheFreeAxisAlone(Presets preset) {
+    @EnumSource(Preset.class)
+    void impactCountsTheMassAlongTheFreeAxisAlone(Preset preset) {
         for (double degrees = 0; degrees < 90; degrees += 15) {
             Pool pool =
                     new Pool(
@@ -155,8 +156,8 @@ class AxisLocksTest {
      * M/tan²α), from N·sin α = M·a/tan α and m·g − N·cos α = m·a.
      */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void tappetDrivesAWedgeByFormula(Presets preset) {
+    @EnumSource(Preset.class)
+    void tappetDrivesAWedgeByFormula(Preset preset) {
         Pool pool = new Pool(SLIPPERY, preset.accuracy);
         Polygon slope = Polygon.of(-3, -1, 3, -1, -3, 2);
         double tan = 0.5;
@@ -195,8 +196,8 @@ class AxisLocksTest {
 
     /** With rubbing v = m·v₀/(m + M) in the end: nothing but the two bodies bears the friction. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void boxAndTrolleyComeToShareTheMomentum(Presets preset) {
+    @EnumSource(Preset.class)
+    void boxAndTrolleyComeToShareTheMomentum(Preset preset) {
         Pool pool = new Pool(Effects.usual().without(Sleep.class), preset.accuracy);
         RigidBody trolley =
                 pool.add(
@@ -270,8 +271,8 @@ class AxisLocksTest {
 
     /** Forces that change along the way, drag and impulses do nothing along a locked axis. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void noForceMovesABodyAlongItsLockedAxis(Presets preset) {
+    @EnumSource(Preset.class)
+    void noForceMovesABodyAlongItsLockedAxis(Preset preset) {
         Effects[] sets = {
             Effects.of(new CentralForce(0, 0, 3, 1), new Drag()),
             Effects.of(new CentralForce(0, 0, 3, 1), new Contacts(), new Rotation()),
@@ -315,8 +316,8 @@ class AxisLocksTest {
      * joins the locked body's island within the step is accelerated only from then on.
      */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void whatFliesIntoALockedBodyKeepsItsEnergy(Presets preset) {
+    @EnumSource(Preset.class)
+    void whatFliesIntoALockedBodyKeepsItsEnergy(Preset preset) {
         for (int i = 0; i < 40; i++) {
             Material elastic = new Material(1, 0, 1);
             Pool pool = new Pool(SLIPPERY, preset.accuracy);
@@ -332,7 +333,7 @@ class AxisLocksTest {
                 impacts += pool.step(DT).impacts();
                 double now = pool.kineticEnergy() + pool.potentialEnergy();
                 // DRAFT does not place impacts within a step; all others follow parabolas exactly.
-                double error = preset == Presets.DRAFT ? 1e-2 : 1e-9;
+                double error = preset == Preset.DRAFT ? 1e-2 : 1e-9;
                 assertThat(now).as("speed %d, step %d", i, step).isEqualTo(before, within(error));
             }
             assertThat(impacts).isEqualTo(1);

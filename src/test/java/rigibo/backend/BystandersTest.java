@@ -8,6 +8,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
@@ -23,8 +24,8 @@ class BystandersTest {
      * not know of let it in by 0.4 m within the step.
      */
     @ParameterizedTest
-    @EnumSource(value = Presets.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
-    void whatABystanderStrikesMeetsWhatIsBehindIt(Presets preset) {
+    @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
+    void whatABystanderStrikesMeetsWhatIsBehindIt(Preset preset) {
         double half = SIDE * Math.sqrt(0.5);
         Pool pool = new Pool(Effects.usual(), preset.accuracy);
         Scenes.addFloor(pool);
@@ -55,8 +56,8 @@ class BystandersTest {
      * are gaps in that: the others fly on, and are no rows.
      */
     @ParameterizedTest
-    @EnumSource(value = Presets.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
-    void aBounceReachesNoFartherThanTheGapsLetIt(Presets preset) {
+    @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
+    void aBounceReachesNoFartherThanTheGapsLetIt(Preset preset) {
         double speed = 3;
         double radius = 0.1;
         double gap = 0.02;

@@ -20,6 +20,7 @@ import rigibo.backend.geometry.Chain;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
 import rigibo.backend.geometry.Shape;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -61,7 +62,7 @@ class ChainTest {
     @ParameterizedTest
     @MethodSource("shapes")
     void whatSlidesOverAFlatChainKeepsItsSpeed(Shape shape) {
-        for (Presets preset : Presets.values()) {
+        for (Preset preset : Preset.values()) {
             Pool pool = new Pool(AWAKE, preset.accuracy);
             pool.add(BodyDefinition.fixed(floor(-5, 118.3, 1000)).material(SMOOTH));
             RigidBody body = pool.add(resting(shape).velocity(30, 0).material(SMOOTH));

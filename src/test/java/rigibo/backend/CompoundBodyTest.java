@@ -18,6 +18,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Compound;
 import rigibo.backend.geometry.Part;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -48,8 +49,8 @@ class CompoundBodyTest {
 
     /** Its centre flies the parabola v·t − g·t²/2, and it turns at one rate. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void aThrownDumbbellFliesAsAPoint(Presets preset) {
+    @EnumSource(Preset.class)
+    void aThrownDumbbellFliesAsAPoint(Preset preset) {
         Pool pool = new Pool(AWAKE, preset.accuracy);
         RigidBody body = pool.add(BodyDefinition.dynamic(DUMBBELL).velocity(3, 8).spin(20));
         for (int i = 0; i < 60; i++) {
@@ -88,8 +89,8 @@ class CompoundBodyTest {
 
     /** The ball's weight is carried by the cup, and the cup's and the ball's by the floor. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void aCupCarriesABall(Presets preset) {
+    @EnumSource(Preset.class)
+    void aCupCarriesABall(Preset preset) {
         Pool pool = new Pool(AWAKE, preset.accuracy);
         RigidBody floor = pool.add(BodyDefinition.fixed(Polygon.box(20, 1)).at(0, -0.5));
         RigidBody cup = pool.add(BodyDefinition.dynamic(CUP).at(0, 0.05 + CUP.centroidY()));
@@ -201,8 +202,8 @@ class CompoundBodyTest {
      * the swing of 0.01 rad adds 1e-5 to the period at most.
      */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void aTumblersPeriodIsThatOfThePendulumThatRolls(Presets preset) {
+    @EnumSource(Preset.class)
+    void aTumblersPeriodIsThatOfThePendulumThatRolls(Preset preset) {
         double r = 0.5;
         double d = 0.2;
         double tilt = 0.01;

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
@@ -29,7 +30,7 @@ class CurvesAndLandingsTest {
     private static final Material SMOOTH = new Material(1, 0, 0);
     private static final Material ROUGH = new Material(1, 3, 0);
 
-    private static Pool pool(Presets preset) {
+    private static Pool pool(Preset preset) {
         return new Pool(Scenes.usualWithoutSleep(), preset.accuracy);
     }
 
@@ -44,7 +45,7 @@ class CurvesAndLandingsTest {
      */
     @ParameterizedTest
     @CsvSource({"GAME, true", "GAME, false", "FINE, true", "EXACT, true", "EXACT, false"})
-    void discFollowsARoundHill(Presets preset, boolean turns) {
+    void discFollowsARoundHill(Preset preset, boolean turns) {
         SplittableRandom random = new SplittableRandom(7);
         int asked = 0;
         for (int i = 0; i < 20; i++) {
@@ -90,7 +91,7 @@ class CurvesAndLandingsTest {
      */
     @ParameterizedTest
     @EnumSource(names = {"GAME", "FINE", "EXACT"})
-    void discKeepsItsWayAlongTheNextPlate(Presets preset) {
+    void discKeepsItsWayAlongTheNextPlate(Preset preset) {
         SplittableRandom random = new SplittableRandom(11);
         for (int i = 0; i < 40; i++) {
             double kink = Math.toRadians(random.nextDouble(2, 20));
@@ -129,7 +130,7 @@ class CurvesAndLandingsTest {
     /** ω⁺/ω⁻ = 1 − (3/2)·sin²α, tan α = width/height: angular momentum about the new corner. */
     @ParameterizedTest
     @CsvSource({"GAME, 0.01", "FINE, 0.005", "EXACT, 0.005"})
-    void blockThatRocksKeepsItsShareOfSpin(Presets preset, double off) {
+    void blockThatRocksKeepsItsShareOfSpin(Preset preset, double off) {
         SplittableRandom random = new SplittableRandom(13);
         for (int i = 0; i < 20; i++) {
             double height = random.nextDouble(0.5, 3);

@@ -15,6 +15,7 @@ import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
@@ -42,8 +43,8 @@ class DrivenInPileTest {
      * for the impact, and as much again for the overlap that is kept.
      */
     @ParameterizedTest
-    @EnumSource(value = Presets.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
-    void plateThatMeetsAFallingBoxCarriesIt(Presets preset) {
+    @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
+    void plateThatMeetsAFallingBoxCarriesIt(Preset preset) {
         for (int phase = 0; phase < 10; phase++) {
             Pool pool = new Pool(PILES, preset.accuracy);
             pool.add(
@@ -72,8 +73,8 @@ class DrivenInPileTest {
      * first seen, a fifth of the box and more. The box has somewhere to go, so it goes along.
      */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void plateThatIsSeenLateTakesTheBoxAlong(Presets preset) {
+    @EnumSource(Preset.class)
+    void plateThatIsSeenLateTakesTheBoxAlong(Preset preset) {
         for (int speed = 1; speed <= 8; speed *= 2) {
             Effects unforeseen = Effects.of(new Contacts(), new Rotation(), new Friction());
             Pool pool = new Pool(unforeseen, preset.accuracy);
@@ -98,8 +99,8 @@ class DrivenInPileTest {
      * to be taken for crushed by them, for all can give way: none gets out.
      */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void nothingLeavesATurningDrum(Presets preset) {
+    @EnumSource(Preset.class)
+    void nothingLeavesATurningDrum(Preset preset) {
         Pool pool = new Pool(PILES, preset.accuracy);
         List<RigidBody> walls = new ArrayList<>();
         for (int side = 0; side < 4; side++) {

@@ -16,6 +16,7 @@ import rigibo.backend.effect.Joints;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 
@@ -126,7 +127,7 @@ class JointCrowdsTest {
         "DRAFT, 12", "DRAFT, 20", "DRAFT, 40", "DRAFT, 60",
         "GAME, 12", "GAME, 40", "GAME, 60", "FINE, 20"
     })
-    void straightBridgeStaysClosedAndGainsNoEnergy(Presets preset, int planks) {
+    void straightBridgeStaysClosedAndGainsNoEnergy(Preset preset, int planks) {
         Pool pool = new Pool(JointScenes.ROUGH_EARTH, preset.accuracy);
         double left = -0.25 * planks;
         RigidBody before = pool.add(BodyDefinition.fixed(new Circle(0.05)).at(left - 0.05, 8));

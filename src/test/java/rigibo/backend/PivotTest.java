@@ -7,6 +7,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
@@ -29,8 +30,8 @@ class PivotTest {
      * a step is none.
      */
     @ParameterizedTest
-    @EnumSource(value = Presets.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
-    void pillarKeepsItsEnergyWhileItTips(Presets preset) {
+    @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
+    void pillarKeepsItsEnergyWhileItTips(Preset preset) {
         Pool pool = new Pool(Scenes.usualWithoutSleep(), preset.accuracy);
         RigidBody pillar = tippingPillar(pool);
         double h = Scenes.DT / preset.accuracy.substeps();

@@ -17,6 +17,7 @@ import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Wind;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -32,7 +33,7 @@ class RestTest {
     private static final int BOXES = 10;
     private static final int SECOND = 60;
 
-    private static Pool stack(Presets preset, List<RigidBody> boxes) {
+    private static Pool stack(Preset preset, List<RigidBody> boxes) {
         Pool pool = new Pool(Scenes.usualWithoutSleep(), preset.accuracy);
         Scenes.addFloor(pool);
         for (int i = 0; i < BOXES; i++) {
@@ -46,8 +47,8 @@ class RestTest {
      * A contact gives way by 10⁻¹⁰ of its load's speed, ten of them by some nanometres a second.
      */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void whatRestsStaysInItsPlace(Presets preset) {
+    @EnumSource(Preset.class)
+    void whatRestsStaysInItsPlace(Preset preset) {
         List<RigidBody> boxes = new ArrayList<>();
         Pool pool = stack(preset, boxes);
         double height = boxes.get(BOXES - 1).y();
@@ -57,8 +58,8 @@ class RestTest {
 
     /** The impulse of a step is that of all its substeps: weight times time. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void whatRestsCarriesItsLoadThroughTheWholeStep(Presets preset) {
+    @EnumSource(Preset.class)
+    void whatRestsCarriesItsLoadThroughTheWholeStep(Preset preset) {
         List<RigidBody> boxes = new ArrayList<>();
         Pool pool = stack(preset, boxes);
         pool.step(Scenes.DT);
@@ -74,8 +75,8 @@ class RestTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void whatLosesItsSupportFallsAtOnce(Presets preset) {
+    @EnumSource(Preset.class)
+    void whatLosesItsSupportFallsAtOnce(Preset preset) {
         List<RigidBody> boxes = new ArrayList<>();
         Pool pool = stack(preset, boxes);
         RigidBody second = boxes.get(1);
@@ -92,8 +93,8 @@ class RestTest {
      * − e^(−kt)). Kicks know when it rose to within one of them, and are a step long at most.
      */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void aGustWithinAStepMovesWhatRested(Presets preset) {
+    @EnumSource(Preset.class)
+    void aGustWithinAStepMovesWhatRested(Preset preset) {
         double rises = (SECOND + 0.5) * Scenes.DT;
         double speed = 10;
         double drag = 2;
@@ -122,8 +123,8 @@ class RestTest {
 
     /** Rows are written where a pile is solved: not for what rests, and again when it is struck. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void whatRestsIsNotSolvedUntilSomethingHappens(Presets preset) {
+    @EnumSource(Preset.class)
+    void whatRestsIsNotSolvedUntilSomethingHappens(Preset preset) {
         List<RigidBody> boxes = new ArrayList<>();
         Pool pool = stack(preset, boxes);
         assertThat(pool.step(Scenes.DT).rows()).isZero();
@@ -135,8 +136,8 @@ class RestTest {
 
     /** A box on a slope of 20° holds by μ = 0.5 > tan 20°, and slides at g·(sin − μ·cos) by 0.1. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void whatLosesItsGripSlidesAtOnce(Presets preset) {
+    @EnumSource(Preset.class)
+    void whatLosesItsGripSlidesAtOnce(Preset preset) {
         double slope = Math.toRadians(20);
         Pool pool = new Pool(Scenes.usualWithoutSleep(), preset.accuracy);
         RigidBody ramp =
@@ -203,8 +204,8 @@ class RestTest {
      * tell in one step: nobody moves, and the floor carries the weight of all.
      */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void aPyramidOfAHundredStoreysRests(Presets preset) {
+    @EnumSource(Preset.class)
+    void aPyramidOfAHundredStoreysRests(Preset preset) {
         int base = 100;
         Pool pool = new Pool(Scenes.usualWithoutSleep(), preset.accuracy);
         RigidBody floor = pool.add(BodyDefinition.fixed(Polygon.box(120, 1)).at(0, -0.5));

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rigibo.backend.effect.Gravity;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -41,8 +42,8 @@ class SeamsTest {
 
     /** Down a frictionless slope a = g·sin(α); what round-off leaves is far below 1e-6. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void slopeOfBoxesIsAPlane(Presets preset) {
+    @EnumSource(Preset.class)
+    void slopeOfBoxesIsAPlane(Preset preset) {
         double angle = Math.toRadians(-20);
         Pool pool = pool(preset.accuracy);
         addFloor(pool, fixed(1, 1), angle);

@@ -17,6 +17,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
@@ -40,8 +41,8 @@ class SnapshotTest {
     private static final int STEPS = 600;
 
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void goesOnToTheSameBits(Presets preset) {
+    @EnumSource(Preset.class)
+    void goesOnToTheSameBits(Preset preset) {
         Pool pool = Potpourri.build(preset.accuracy);
         Potpourri.run(pool, 0, TAKEN);
         requireSomeOfEverything(pool);
@@ -102,8 +103,8 @@ class SnapshotTest {
 
     /** Anything a stage kept from one step to the next without saving it would be missing here. */
     @ParameterizedTest
-    @EnumSource(Presets.class)
-    void nothingLastsFromStepToStepButWhatASnapshotHolds(Presets preset) {
+    @EnumSource(Preset.class)
+    void nothingLastsFromStepToStepButWhatASnapshotHolds(Preset preset) {
         Pool pool = Potpourri.build(preset.accuracy);
         Pool restored = Potpourri.build(preset.accuracy);
         for (int i = 0; i < 2 * TAKEN; i++) {

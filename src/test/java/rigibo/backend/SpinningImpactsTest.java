@@ -13,6 +13,7 @@ import rigibo.backend.effect.Gravity;
 import rigibo.backend.effect.Restitution;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.ContactSolver;
@@ -44,7 +45,7 @@ class SpinningImpactsTest {
      */
     @ParameterizedTest
     @CsvSource({"GAME, true", "FINE, true", "EXACT, true", "GAME, false", "EXACT, false"})
-    void gainNoEnergy(Presets preset, boolean isLocked) {
+    void gainNoEnergy(Preset preset, boolean isLocked) {
         bounce(preset.accuracy, isLocked);
     }
 

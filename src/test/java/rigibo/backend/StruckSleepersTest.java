@@ -11,6 +11,7 @@ import rigibo.backend.effect.Friction;
 import rigibo.backend.effect.Sleep;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.BodyType;
 import rigibo.backend.setup.Material;
@@ -30,7 +31,7 @@ class StruckSleepersTest {
      */
     @ParameterizedTest
     @CsvSource({"DRAFT, 1e-3", "GAME, 1e-4", "FINE, 1e-6", "EXACT, 1e-9"})
-    void sleepersThatAreStruckStayJoined(Presets preset, double most) {
+    void sleepersThatAreStruckStayJoined(Preset preset, double most) {
         Pool pool = new Pool(EARTH, preset.accuracy);
         pool.add(BodyDefinition.fixed(Polygon.box(40, 1)).at(0, -0.5));
         RigidBody before = null;
@@ -63,7 +64,7 @@ class StruckSleepersTest {
      */
     @ParameterizedTest
     @CsvSource({"DRAFT, 1e-5", "GAME, 1e-5", "FINE, 1e-6", "EXACT, 1e-9"})
-    void rowsMoveAsIfTheyHadNotSlept(Presets preset, double most) {
+    void rowsMoveAsIfTheyHadNotSlept(Preset preset, double most) {
         int slept = 0;
         for (long seed = 0; seed < 40; seed++) {
             Pool sleeping = row(seed, Effects.usual(), preset);
@@ -89,7 +90,7 @@ class StruckSleepersTest {
     }
 
     /** A floor, and a row of boxes on it that have lain still for a second. */
-    private static Pool row(long seed, Effects effects, Presets preset) {
+    private static Pool row(long seed, Effects effects, Preset preset) {
         Random random = new Random(seed);
         Material smooth = Material.DEFAULT.friction(0).elasticity(0);
         Pool pool = new Pool(effects, preset.accuracy);

@@ -13,6 +13,7 @@ import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
@@ -40,8 +41,8 @@ class SweptDiscTest {
      * since velocities at the end of a step are those along the bar, and is held back.
      */
     @ParameterizedTest
-    @EnumSource(value = Presets.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
-    void discIsSweptAlongTheBar(Presets preset) {
+    @EnumSource(value = Preset.class, names = "DRAFT", mode = EnumSource.Mode.EXCLUDE)
+    void discIsSweptAlongTheBar(Preset preset) {
         RigidBody disc = swept(preset);
         double way = START * Math.exp(TURNED);
         double turn = SPIN * Scenes.DT / preset.accuracy.substeps();
@@ -52,12 +53,12 @@ class SweptDiscTest {
     /** Half the substep, a quarter of the overlap; a row that took the bar for still had half. */
     @Test
     void overlapFallsWithTheSquareOfTheSubstep() {
-        double game = Math.abs(across(swept(Presets.GAME)) - APART);
-        double fine = Math.abs(across(swept(Presets.FINE)) - APART);
+        double game = Math.abs(across(swept(Preset.GAME)) - APART);
+        double fine = Math.abs(across(swept(Preset.FINE)) - APART);
         assertThat(fine / game).isEqualTo(0.25, within(0.1));
     }
 
-    private static RigidBody swept(Presets preset) {
+    private static RigidBody swept(Preset preset) {
         Effects effects = Effects.of(new Contacts(), new Rotation(), new ContinuousImpacts());
         Pool pool = new Pool(effects, preset.accuracy);
         pool.add(

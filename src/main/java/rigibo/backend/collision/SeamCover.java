@@ -96,7 +96,7 @@ final class SeamCover {
     private boolean mayCover(int pair, int other) {
         return other != pair
                 && !bodies.isDynamic(pairs.other(other, at.mover))
-                && !areOneChain(pair, other)
+                && !areOneChain(other)
                 && pairs.gap(other) <= near;
     }
 
@@ -127,7 +127,7 @@ final class SeamCover {
     }
 
     /** Whether both are edges of one chain, whose edges know their neighbours. */
-    private boolean areOneChain(int pair, int other) {
+    private boolean areOneChain(int other) {
         return bodies.outline[at.fixedShape].isEdge() && pairs.other(other, at.mover) == at.fixed;
     }
 

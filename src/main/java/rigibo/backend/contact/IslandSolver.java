@@ -174,7 +174,7 @@ final class IslandSolver {
         ContactSweep sweep =
                 new ContactSweep(
                         data.bodies, motions, contacts, declared.rubbing(), isBlock, shared);
-        rounds = new Rounds(motions, contacts, own, declared, guard, sweep, overlap, accuracy);
+        rounds = new Rounds(motions, contacts, own, guard, sweep, overlap, accuracy);
         passes = new Passes(motions, contacts, declared, kick, guard, sweep, overlap, accuracy);
     }
 

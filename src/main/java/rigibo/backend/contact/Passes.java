@@ -19,26 +19,29 @@ import rigibo.backend.setup.Correction;
 public final class Passes {
 
     /**
-     * Share of the island's fastest speed below which a change of speed is neglected. It is smaller
-     * if substeps are longer than the game's, since a kick adds more in them.
+     * Change of speed that is neglected, as a share of the island's fastest speed. The share is
+     * smaller for substeps longer than the game's, since their kicks add more.
      */
     private static final double QUIET = 0.03;
 
     /**
-     * That share in a crowd that falls or is struck. {@link ContactSweep} solves contacts that sink
-     * in strictly, whatever this share is. It shrinks as a crowd slows down, which would otherwise
-     * never come to rest.
+     * Counterpart of {@link #QUIET} for a crowd that falls or is struck. It shrinks as the crowd
+     * slows down; otherwise the crowd would never come to rest. {@link ContactSweep} solves
+     * contacts that sink in strictly, whatever the share.
      */
     private static final double QUIET_IN_A_CROWD = 0.1;
 
-    /** Share of a free body's gain of speed in a step below which a crowd gets half the passes. */
+    /**
+     * Speed below which a crowd counts as calm and gets half the passes, as a share of a free
+     * body's gain of speed in a step.
+     */
     private static final double CALM = 0.25;
 
     /**
      * Change of speed that is neglected in a large crowd, as a multiple of a free body's gain of
-     * speed in a step times {@code missed}: 5 µm/s at the game's accuracy. A body that is squeezed
-     * between two others keeps many times what a pass changes, and while it creeps, the heap does
-     * not sleep.
+     * speed in a step times {@code missed}: 5 µm/s at the game's accuracy. The error of a body
+     * squeezed between two others is many times the change in a pass, and the heap stays awake
+     * while that body creeps.
      */
     private static final double UNSEEN = 0.03;
 
@@ -46,14 +49,15 @@ public final class Passes {
     private static final int LARGE = 512;
 
     /**
-     * Neglected change of speed where a crowd lies still, as a share of that for the whole crowd.
+     * Change of speed that is neglected where a crowd lies still, as a share of the one that is
+     * neglected in the whole crowd.
      */
     private static final double OF_THE_FASTEST = 0.05;
 
     /**
-     * Divisor of the cube of the number of substeps; the quotient is the limit of passes per
-     * substep. Twice the substeps halve the threshold about five times, and each halving takes as
-     * many passes again.
+     * Divisor of the cube of the number of substeps; the quotient limits the passes per substep.
+     * Twice the substeps halve the threshold about five times, and each halving takes as many
+     * passes again.
      */
     private static final int CUBES_PER_PASS = 2;
 
@@ -69,24 +73,23 @@ public final class Passes {
     private static final double SUNK = 2;
 
     /**
-     * Share of {@code missed} from which on sinking in is stopped by impulses that are handed down
-     * to the ground, once something sinks in by more than {@code missed}.
+     * Depth from which contacts that sink in hand impulses down to the ground, as a share of {@code
+     * missed}. They do so once any contact sinks in by more than {@code missed}.
      */
     private static final double HANDED_DOWN = 0.1;
 
-    /** Divisor of the passes that follow. */
+    /** Divisor of the number of passes after impulses are handed down. */
     private static final int AFTER_HANDING_DOWN = 4;
 
     /** Most repetitions of the passes for contacts that sink in. */
     private static final int LONGER = 7;
 
-    /** Most contact solutions in these repetitions per substep: bounds a crowd's slowest step. */
+    /** Most contact solutions in the repetitions of a substep; bounds a crowd's slowest step. */
     private static final int MOST_SOLVES = 80_000;
 
     /**
-     * Most contact solutions per substep for contacts that sink in, in islands that are no crowd.
-     * The worst case is a bullet of a thousand times the mass of the body that it presses against a
-     * wall.
+     * Most contact solutions per substep for contacts that sink in, in an island that is no crowd.
+     * The worst case is a bullet that presses a body of a thousandth of its mass against a wall.
      */
     private static final int MOST_SOLVES_OF_FEW = 400_000;
 
@@ -132,7 +135,7 @@ public final class Passes {
     /** Most passes per substep in a crowd. */
     private int mostOfCrowd;
 
-    /** That number in a calm crowd. */
+    /** Most passes per substep in a calm crowd. */
     private int mostIfCalm;
 
     /** Most passes per substep in an island of few contacts; grows with the ratio of masses. */
@@ -171,11 +174,14 @@ public final class Passes {
 
     /**
      * Starts a step of {@code dt} seconds of the packed island in the given number of substeps.
-     * With fewer substeps than usual, a heap needs more passes in each to come to rest; one that
-     * still moves gets them at {@code EXACT} alone, where it would be lifted by loads that were too
-     * large, while at other presets its slowest step counts for more. Few contacts, such as those
-     * of a body between a wall and another of a thousand times its mass, are solved until none is
-     * due: that takes thousands of passes, but no more work than the elimination that was given up.
+     *
+     * <p>With fewer substeps than usual, a heap needs more passes in each to come to rest. A heap
+     * that still moves gets them at {@code EXACT} alone, where loads that are too large would lift
+     * it; at other presets the time of its slowest step counts for more.
+     *
+     * <p>Few contacts are solved until none is due. A body between a wall and another of a thousand
+     * times its mass takes thousands of passes, but no more work than the elimination that was
+     * given up.
      */
     void begin(double dt, int substeps) {
         step = dt;
@@ -204,8 +210,8 @@ public final class Passes {
     }
 
     /**
-     * Lets bodies drift for h seconds. A struck body may turn so fast that it stands on another
-     * corner in the end; its contacts are then measured again on the way.
+     * Lets bodies drift for h seconds. A struck body may turn so fast that it comes to stand on
+     * another corner; its contacts are then measured again on the way.
      *
      * @return whether any contact was measured
      */
@@ -225,8 +231,8 @@ public final class Passes {
     }
 
     /**
-     * Whether removal of overlap would move no body of the packed island, which is held, in a
-     * substep of h seconds.
+     * Whether the removal of overlap would move no body in a substep of h seconds. The packed
+     * island is held.
      */
     boolean areBlocked(double h) {
         overlap.prepare(true);
@@ -235,8 +241,10 @@ public final class Passes {
 
     /** Solves contacts, so that they neither close nor slide. */
     void hold(double h, double length, int substep, double fastest, double limit) {
-        // Between a driven body and an immovable one no load suffices. Loads that grow with every
-        // pass would lose the digits of the friction that holds the pressed body, and throw it out.
+        // No load stops a driven body that presses another against an immovable one. Without a
+        // limit
+        // the load would grow with every pass and lose the digits of the friction that holds the
+        // pressed body, which would be thrown out.
         sweep.limitPresses(motions.mass() * limit);
         if (contacts.areCrowd()) {
             sweepCrowd(h, length, substep, fastest);
@@ -286,8 +294,8 @@ public final class Passes {
     }
 
     /**
-     * Solves a crowd: the more coarsely the faster it moves, except where bodies in it lie still. A
-     * calm crowd gets fewer passes.
+     * Solves a crowd. A faster crowd is solved more coarsely, except where bodies in it lie still.
+     * A calm crowd gets fewer passes.
      */
     private void sweepCrowd(double h, double length, int substep, double fastest) {
         boolean isCalm = fastest < CALM * kick.strongest() * step;
@@ -307,9 +315,9 @@ public final class Passes {
     }
 
     /**
-     * Most passes in a calm crowd after a kick of so many substeps' length: the half kicks at both
-     * ends of a step bring half the load. At {@code EXACT}, where nothing may be left, they get as
-     * many as whole ones.
+     * Most passes in a calm crowd after a kick, whose length is stated in substeps. The half kicks
+     * at both ends of a step bring half the load and get half the passes, except at {@code EXACT},
+     * where nothing may be left.
      */
     private int mostIfCalmAfter(double length) {
         return isThrifty ? (int) Math.ceil(Math.min(1, length) * mostIfCalm) : mostIfCalm;

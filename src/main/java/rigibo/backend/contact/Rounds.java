@@ -14,8 +14,8 @@ import rigibo.backend.setup.ContactSolver;
 import rigibo.backend.setup.Correction;
 
 /**
- * Solves a small island until it converges, substep by substep, in rounds of one pass, which
- * measures the residual, and one elimination. An island that exceeds its budget of work is restored
+ * Solves a small island until it converges, substep by substep, in rounds. A round is a pass, which
+ * measures the residual, and an elimination. An island that exceeds its budget of work is restored
  * and left to {@link Passes}.
  */
 public final class Rounds {
@@ -24,15 +24,14 @@ public final class Rounds {
     private static final double SETTLED = 1e-2;
 
     /**
-     * Allowed residual of a body in a calm island, as a share of its own loads. It is smaller than
-     * the share by which a body at rest may be held too little, so that an unsupported body can be
-     * told from an error.
+     * Allowed residual of a body in a calm island, as a share of its own loads. A body at rest may
+     * lack a larger share of its support, so that an unsupported body can be told from an error.
      */
     private static final double SETTLED_IF_CALM = 5e-10;
 
     /**
-     * That share if rounds no longer converge, because of the compliance of rows, or because
-     * elimination would have to try rows one after the other.
+     * Allowed residual in a calm island whose rounds no longer converge, because rows are
+     * compliant, or because elimination would have to try rows one after the other.
      */
     private static final double LEFT_IF_CALM = 1e-7;
 
@@ -43,8 +42,8 @@ public final class Rounds {
     private static final int LEAST_ROUNDS = 4;
 
     /**
-     * Largest change of a round, as a share of that of the round before; a round with a larger one
-     * is undone by half.
+     * Largest residual of a round, as a share of that of the round before; a round with a larger
+     * one is undone by half.
      */
     private static final double SHRINKS = 0.5;
 
@@ -55,19 +54,21 @@ public final class Rounds {
     private static final double WORTH = 0.25;
 
     /**
-     * That multiple for a single body on immovable ones, which has three unknowns, and for islands
-     * that a driven body presses, which no load can stop.
+     * Counterpart of {@link #WORTH} for a single body on immovable ones, which has three unknowns,
+     * and for islands that a driven body presses: no load can stop it.
      */
     private static final double WORTH_ALONE = 8;
 
     /**
-     * Largest multiple, where passes converge slowly: for bodies of different masses, where a
-     * bullet would be through a box before they converge, and for elastic bodies, which do not lose
-     * the error that passes leave.
+     * Largest multiple, where passes converge slowly. A bullet would be through a box of a smaller
+     * mass before they converge, and elastic bodies do not lose the error that passes leave.
      */
     private static final double MOST_WORTH = 100;
 
-    /** That multiple in a calm island, which rests once it is solved and then costs nothing. */
+    /**
+     * Counterpart of {@link #WORTH} for a calm island, which rests once it is solved and then costs
+     * nothing.
+     */
     private static final double WORTH_IF_CALM = 12;
 
     /** Speed up to which contacts count as steady, as a share of a free body's gain in a step. */
@@ -90,7 +91,7 @@ public final class Rounds {
      */
     private static final double GIVEN_UP = 0.03;
 
-    /** Factor of the rounds that a moving island is given at least where work has no limit. */
+    /** Least factor of the rounds of a moving island where work has no limit. */
     private static final double TIMES_UNLIMITED = 8;
 
     /** Rounds before Newton's method is tried again; twice as many each time. */
@@ -100,15 +101,14 @@ public final class Rounds {
     private static final int QUICK = 2;
 
     /**
-     * Most passes of a round where masses differ, since one pass does not tell there which contacts
-     * carry load.
+     * Most passes of a round where masses differ: one pass does not show there which contacts carry
+     * load.
      */
     private static final int MOST_PASSES = 32;
 
     private final Motions motions;
     private final PackedContacts contacts;
     private final OwnLoads own;
-    private final DeclaredRows declared;
     private final EnergyGuard guard;
     private final ContactSweep sweep;
     private final OverlapSolver overlap;
@@ -147,7 +147,6 @@ public final class Rounds {
             Motions motions,
             PackedContacts contacts,
             OwnLoads own,
-            DeclaredRows declared,
             EnergyGuard guard,
             ContactSweep sweep,
             OverlapSolver overlap,
@@ -155,7 +154,6 @@ public final class Rounds {
         this.motions = motions;
         this.contacts = contacts;
         this.own = own;
-        this.declared = declared;
         this.guard = guard;
         this.sweep = sweep;
         this.overlap = overlap;
@@ -270,12 +268,17 @@ public final class Rounds {
     }
 
     /**
-     * Makes rounds until the residual is small enough, at rest after the first one; in a calm
-     * island as long as rounds converge. Newton's method is used as long as it converges; a round
-     * of it that does not is undone and elimination continues. Where masses differ and more rounds
-     * are made, it is tried again after some rounds, since at once it would lead to the same place.
-     * If the rounds of a calm island cycle, or many rounds of a moving one diverge, the best of
-     * them is kept. Returns whether they converged.
+     * Makes rounds until the residual is small enough, which it is at rest after the first one. A
+     * calm island goes on as long as rounds converge.
+     *
+     * <p>Newton's method is used as long as it converges; a round of it that does not is undone,
+     * and elimination continues. Where masses differ and more rounds are made, it is tried again
+     * after some of them, since at once it would lead to the same place.
+     *
+     * <p>If the rounds of a calm island cycle, or many rounds of a moving one diverge, the best of
+     * them is kept.
+     *
+     * @return whether the rounds converged
      */
     private boolean settleRows(double h, double kicked, int substep, double fastest) {
         double enough = isCalm ? LEFT_IF_CALM / SETTLED_IF_CALM : 1;

@@ -3,7 +3,6 @@ package rigibo.backend.geometry;
 /** Makes the outlines of a chain's edges, each with its neighbours at both ends. */
 final class ChainEdges {
 
-    private final double[] xy;
     private final boolean isLoop;
     private final int edges;
 
@@ -14,7 +13,6 @@ final class ChainEdges {
     private final double[] length;
 
     private ChainEdges(double[] xy, boolean isLoop) {
-        this.xy = xy;
         this.isLoop = isLoop;
         edges = xy.length / 2 - (isLoop ? 0 : 1);
         normalX = new double[edges];

@@ -22,10 +22,8 @@ final class ByteReader implements Codec {
 
     private record Stated(Form<?> form, List<Double> numbers) {}
 
-    /** Reads from an index on. */
-    ByteReader(byte[] bytes, int from) {
+    ByteReader(byte[] bytes) {
         this.bytes = bytes;
-        at = from;
     }
 
     @Override

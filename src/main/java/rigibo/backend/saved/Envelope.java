@@ -47,7 +47,7 @@ final class Envelope {
             throw new IllegalArgumentException(
                     "must have " + HEADER_BYTES + " bytes or more, was " + bytes.length);
         }
-        ByteReader reader = new ByteReader(bytes, 0);
+        ByteReader reader = new ByteReader(bytes);
         if (reader.word() != MAGIC) {
             throw new IllegalArgumentException("must begin as one that RigiBo wrote, does not");
         }
@@ -75,7 +75,7 @@ final class Envelope {
     /** Checksum of all bytes except its own, as words; the last word is padded with 0. */
     private static long checksum(byte[] bytes) {
         byte[] padded = Arrays.copyOf(bytes, (bytes.length + Long.BYTES - 1) & -Long.BYTES);
-        ByteReader reader = new ByteReader(padded, 0);
+        ByteReader reader = new ByteReader(padded);
         long hash = Bits.SEED;
         for (int at = 0; at < padded.length; at += Long.BYTES) {
             long word = reader.word();

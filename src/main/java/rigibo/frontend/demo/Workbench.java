@@ -119,9 +119,9 @@ final class Workbench implements Bench {
         }
     }
 
-    /** Takes hold of a dynamic body under a point, world m; returns whether there is one. */
-    boolean grab(double x, double y) {
-        return grip.grab(this, x, y);
+    /** Takes hold of the dynamic body under a point, world m, if there is one. */
+    void grab(double x, double y) {
+        grip.grab(this, x, y);
     }
 
     void letGo() {

@@ -3,6 +3,7 @@ package rigibo.frontend.display;
 import static org.lwjgl.glfw.GLFW.*;
 
 import rigibo.frontend.scene.DisplayException;
+import rigibo.frontend.scene.Scene;
 
 /** Makes windows for OpenGL 3.3, hidden at first. */
 final class GlWindow {
@@ -10,12 +11,12 @@ final class GlWindow {
     private GlWindow() {}
 
     /**
-     * Makes a window of a size in px.
+     * Makes a window of the size of a scene.
      *
      * @return GLFW's handle
      * @throws DisplayException when there is no window or no OpenGL 3.3 to be had
      */
-    static long create(String title, int width, int height, Troubles troubles) {
+    static long create(String title, Troubles troubles) {
         glfwDefaultWindowHints();
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -24,7 +25,7 @@ final class GlWindow {
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
         glfwWindowHint(GLFW_STENCIL_BITS, 8);
         glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-        long created = glfwCreateWindow(width, height, title, 0, 0);
+        long created = glfwCreateWindow(Scene.WIDTH, Scene.HEIGHT, title, 0, 0);
         if (created == 0) {
             throw new DisplayException(
                     "RigiBo needs OpenGL 3.3, found none (" + troubles.last() + ")");

@@ -46,7 +46,7 @@ public final class Offscreen implements AutoCloseable {
         if (!glfwInit()) {
             throw new DisplayException("RigiBo cannot draw: " + troubles.last());
         }
-        window = GlWindow.create("RigiBo", Scene.WIDTH, Scene.HEIGHT, troubles);
+        window = GlWindow.create("RigiBo", troubles);
         glfwMakeContextCurrent(window);
         GL.createCapabilities();
         painter = new Painter();

@@ -77,7 +77,7 @@ final class Window {
         text = () -> display.settings().text();
         this.troubles = troubles;
         this.choice = choice;
-        handle = GlWindow.create(scene.title(), Scene.WIDTH, Scene.HEIGHT, troubles);
+        handle = GlWindow.create(scene.title(), troubles);
         size.open(handle);
         glfwMakeContextCurrent(handle);
         GL.createCapabilities();

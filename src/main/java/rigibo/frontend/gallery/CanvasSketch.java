@@ -12,7 +12,6 @@ final class CanvasSketch implements Sketch {
 
     private static final double LINE = 2.5;
     private static final double POINT = 4.5;
-    private static final double LETTERS = 18;
 
     private final Canvas canvas;
     private final Camera camera;
@@ -52,18 +51,6 @@ final class CanvasSketch implements Sketch {
     @Override
     public void shape(Shape shape, Placement at) {
         canvas.body(shape, at.x(), at.y(), at.angle(), Skin.BALL, Canvas.Mood.GHOST);
-    }
-
-    @Override
-    public void number(double x, double y, String number) {
-        canvas.text(
-                number,
-                camera.screenX(x),
-                camera.screenY(y),
-                LETTERS,
-                Canvas.Font.NUMBERS,
-                Canvas.Align.CENTRE,
-                Color.TEXT);
     }
 
     @Override

@@ -41,8 +41,5 @@ final class PictureSketch implements Sketch {
 
     /** There is no room for letters. */
     @Override
-    public void number(double x, double y, String figure) {}
-
-    @Override
     public void count(String figure) {}
 }

@@ -22,12 +22,6 @@ public interface Sketch {
     /** A shape as a transparent outline. */
     void shape(Shape shape, Placement at);
 
-    /**
-     * A text centred at a point: numbers and signs without words, since the gallery has several
-     * languages.
-     */
-    void number(double x, double y, String figure);
-
     /** The one number that the scene is about, shown beside its title. */
     void count(String figure);
 }

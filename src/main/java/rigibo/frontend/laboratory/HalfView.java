@@ -96,7 +96,7 @@ final class HalfView {
         double right = at.right() - PADDING - 4;
         number(canvas, words.of("laboratory.step", millis(layout)), right, upper);
         double left = at.x() + PADDING + 4;
-        words(canvas, words.of("fold.energy"), left, lower, Canvas.Align.LEFT, Color.TEXT_DIM);
+        words(canvas, words.of("fold.energy"), left, lower, Color.TEXT_DIM);
         number(canvas, energy(layout), right, lower);
     }
 
@@ -123,7 +123,7 @@ final class HalfView {
         Color plate = isHot ? Color.BRASS.alpha(0.8) : Color.BRASS;
         canvas.panel(left, turned.y(), turned.width(), turned.height(), corner, plate);
         double middle = turned.y() + turned.height() / 2;
-        words(canvas, name(), left + INSET, middle, Canvas.Align.LEFT, Color.DUSK_TOP);
+        words(canvas, name(), left + INSET, middle, Color.DUSK_TOP);
         double end = left + INSET + canvas.textWidth(name(), SIZE, Canvas.Font.WORDS);
         double last = turned.right() - INSET;
         int between = Preset.values().length - 1;
@@ -156,9 +156,8 @@ final class HalfView {
         return words.of("laboratory.share", words.number(digits, percent));
     }
 
-    private static void words(
-            Canvas canvas, String words, double x, double y, Canvas.Align align, Color color) {
-        canvas.text(words, x, y, SIZE, Canvas.Font.WORDS, align, color);
+    private static void words(Canvas canvas, String words, double x, double y, Color color) {
+        canvas.text(words, x, y, SIZE, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
     }
 
     private static void number(Canvas canvas, String words, double x, double y) {

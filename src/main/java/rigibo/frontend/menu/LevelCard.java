@@ -63,7 +63,7 @@ record LevelCard(LevelList levels, int level, Words words) {
         if (isOpen && levels.hasStar(level)) {
             double x = tile.x() + tile.width() - 24 - canvas.layout().lettered(30);
             canvas.panel(x - 15, tile.y() + 6, 30, 24, 8, Color.PANEL);
-            Sign.star(canvas, x, tile.y() + 19, 11, Color.BRASS);
+            Sign.star(canvas, x, tile.y() + 19, 11);
         }
     }
 

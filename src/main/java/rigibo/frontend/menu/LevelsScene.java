@@ -261,7 +261,7 @@ public final class LevelsScene implements Scene {
         double half = canvas.textWidth(line, 16, Canvas.Font.WORDS) / 2;
         Print.centred(canvas, line, x + 10, y, 16, Color.BRASS);
         if (levels.hasStar(chosenLevel().orElseThrow())) {
-            Sign.star(canvas, x - half - 4, y, 8, Color.BRASS);
+            Sign.star(canvas, x - half - 4, y, 8);
         } else {
             Sign.outlinedStar(canvas, x - half - 4, y, 7, 1.5, Color.BRASS);
         }

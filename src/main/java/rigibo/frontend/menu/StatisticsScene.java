@@ -164,7 +164,7 @@ final class StatisticsScene implements TiledScene {
             figure(canvas, at.width() / 4, x, y + 52, of(medal));
         }
         double x = column(at, 3, 4);
-        Sign.star(canvas, x, y + 1, 25, Color.BRASS);
+        Sign.star(canvas, x, y + 1, 25);
         figure(canvas, at.width() / 4, x, y + 52, ofStars());
     }
 

@@ -87,8 +87,4 @@ final class Voices {
             voice.age += seconds;
         }
     }
-
-    int count() {
-        return voices.length;
-    }
 }

@@ -4,6 +4,7 @@ import rigibo.backend.geometry.Exponential;
 import rigibo.backend.geometry.Logarithm;
 
 import java.util.List;
+import java.util.Random;
 
 /** Random draws from a seed. The same calls give the same draws in every JVM and browser. */
 public final class Chance {
@@ -18,10 +19,10 @@ public final class Chance {
     private static final List<Double> NOT_FINITE =
             List.of(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
 
-    private final Draws random;
+    private final Random random;
 
     private Chance(long seed) {
-        random = new Draws(seed);
+        random = new Random(seed);
     }
 
     /** The draws for the input with an index among those of a seed. */

@@ -61,11 +61,6 @@ final class Archives {
         return OwnClasses.undeclared(workloads.scene(scene).effects(), engine.names());
     }
 
-    /** The number of the engine's class files. */
-    int size() {
-        return engine.names().size();
-    }
-
     /** A hash of the classes' bytes. */
     String hash() {
         return engine.hash() + probe.hash();

@@ -8,6 +8,7 @@ public final class HardCases {
     private static final List<HardCase> HELD =
             joined(List.of(NumberedCases.held(), MovingPiles.held(), JointCases.held()));
 
+    /** Cases that do not yet keep every limit, or take long to. */
     private static final List<HardCase> OPEN =
             joined(List.of(NumberedCases.open(), MovingPiles.open(), JointCases.open()));
 
@@ -19,11 +20,6 @@ public final class HardCases {
     /** Cases that keep every limit at GAME and at EXACT; tests hold them there. */
     public static List<HardCase> held() {
         return HELD;
-    }
-
-    /** Cases that do not yet keep every limit, or take long to. */
-    public static List<HardCase> open() {
-        return OPEN;
     }
 
     /** Cases that take minutes; they run only when asked for by their row. */

@@ -24,10 +24,10 @@ final class IceAndRubber implements Scenes {
     public void run(Trial trial) {
         trial.variant("slope of ice");
         double truth = Trial.GRAVITY * (Math.sin(ANGLE) - ICE * Math.cos(ANGLE));
-        double way = wayDown(trial, ICE, 3);
+        double way = wayDown(trial, ICE);
         trial.relativeError("way on ice", way, truth * 9 / 2, "of truth", 1e-4, 1e-2);
         trial.variant("slope of rubber");
-        trial.measure("way on rubber", Math.abs(wayDown(trial, RUBBER, 3)), "m", 1e-3);
+        trial.measure("way on rubber", Math.abs(wayDown(trial, RUBBER)), "m", 1e-3);
         trial.variant("0.1 mg on ice");
         RigidBody onIce = push(trial, ICE, 0.1);
         double sliding = (0.1 - ICE) * Trial.GRAVITY * 9 / 2;
@@ -41,11 +41,12 @@ final class IceAndRubber implements Scenes {
         trial.require("enough force makes it tumble", tumbled.angle() < -1);
     }
 
-    private static double wayDown(Trial trial, double friction, double seconds) {
+    /** The way of a box within 3 s, m. */
+    private static double wayDown(Trial trial, double friction) {
         Slope slope = new Slope(ANGLE);
         WatchedPool pool = trial.earth();
         Descent box = new Descent(pool, slope, slope.place(Solid.box(1, 1, friction, 0), 0.5));
-        pool.run(seconds);
+        pool.run(3);
         return box.way();
     }
 

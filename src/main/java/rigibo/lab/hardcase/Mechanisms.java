@@ -57,9 +57,8 @@ final class Mechanisms {
     }
 
     /** A hinge that turns its second body at a speed, whatever torque that takes. */
-    private static JointDefinition crank(
-            RigidBody frame, RigidBody bar, double x, double y, double speed) {
-        return RevoluteJoint.at(frame, bar, x, y).motor(speed, UNBOUNDED);
+    private static JointDefinition crank(RigidBody frame, RigidBody bar, double x, double speed) {
+        return RevoluteJoint.at(frame, bar, x, 0).motor(speed, UNBOUNDED);
     }
 
     private static WatchedPool pool(Trial trial, boolean hasWeight) {
@@ -74,7 +73,7 @@ final class Mechanisms {
         RigidBody crank = bar(pool, 0, 0, r, 0);
         RigidBody rod = bar(pool, r, 0, r + l, 0);
         RigidBody slider = pool.add(Solid.box(0.3, 0.2).at(r + l, 0).group(1));
-        pool.join(crank(frame, crank, 0, 0, speed));
+        pool.join(crank(frame, crank, 0, speed));
         pool.join(RevoluteJoint.at(crank, rod, r, 0));
         pool.join(RevoluteJoint.at(rod, slider, r + l, 0));
         pool.join(PrismaticJoint.along(frame, slider, r + l, 0, 0));
@@ -103,7 +102,7 @@ final class Mechanisms {
         RigidBody crank = bar(pool, 0, 0, a, 0);
         RigidBody between = bar(pool, a, 0, joint[0], joint[1]);
         RigidBody swing = bar(pool, frameLength, 0, joint[0], joint[1]);
-        pool.join(crank(frame, crank, 0, 0, speed));
+        pool.join(crank(frame, crank, 0, speed));
         pool.join(RevoluteJoint.at(crank, between, a, 0));
         pool.join(RevoluteJoint.at(between, swing, joint[0], joint[1]));
         pool.join(RevoluteJoint.at(frame, swing, frameLength, 0));
@@ -143,7 +142,7 @@ final class Mechanisms {
             RigidBody down = bar(pool, wide, k * high, 0, (k + 1) * high);
             pool.join(RevoluteJoint.at(up, down, wide / 2, (k + 0.5) * high));
             if (k == 0) {
-                pool.join(crank(frame, up, 0, 0, speed));
+                pool.join(crank(frame, up, 0, speed));
                 pool.join(WheelJoint.at(frame, down, wide, 0, 0));
             } else {
                 pool.join(RevoluteJoint.at(falling, up, 0, k * high));
@@ -209,7 +208,7 @@ final class Mechanisms {
         RigidBody coupler = bar(pool, 0, length, legs - 1, length);
         for (int i = 0; i < legs; i++) {
             RigidBody leg = bar(pool, i, 0, i, length);
-            pool.join(i == 0 ? crank(frame, leg, i, 0, speed) : RevoluteJoint.at(frame, leg, i, 0));
+            pool.join(i == 0 ? crank(frame, leg, i, speed) : RevoluteJoint.at(frame, leg, i, 0));
             pool.join(RevoluteJoint.at(leg, coupler, i, length));
         }
         double middle = (legs - 1) / 2.0;

@@ -36,8 +36,8 @@ final class MovingFloor implements Scenes {
 
     private static void compare(Trial trial, Course rest, Course moving) {
         int second = (int) Math.round(1 / Trial.DT);
-        trial.measure("place within 1 s", rest.off(moving, 0, second), "m", MOST_OFF);
-        double creep = rest.off(moving, 0, rest.places.size());
+        trial.measure("place within 1 s", rest.off(moving, second), "m", MOST_OFF);
+        double creep = rest.off(moving, rest.places.size());
         trial.measure("place within 3 s", creep, "m", Limits.NONE);
         if (rest.isStanding()) {
             trial.measure("creeps in 3 s", creep, "m", MOST_OFF);
@@ -72,10 +72,10 @@ final class MovingFloor implements Scenes {
             return place;
         }
 
-        /** Greatest difference of a coordinate between two steps, m. */
-        double off(Course other, int from, int to) {
+        /** Greatest difference of a coordinate before a step, m. */
+        double off(Course other, int to) {
             double most = 0;
-            for (int step = from; step < to; step++) {
+            for (int step = 0; step < to; step++) {
                 double[] others = other.places.get(step);
                 most = Math.max(most, Places.farthestApart(places.get(step), others));
             }

@@ -71,8 +71,10 @@ final class Asked {
         return along(Line.PRESETS);
     }
 
-    Optional<Point> preset(String name) {
-        return presets().stream().filter(point -> point.setting().name().equals(name)).findFirst();
+    Optional<Point> game() {
+        return presets().stream()
+                .filter(point -> point.setting().name().equals("GAME"))
+                .findFirst();
     }
 
     /** The names of the engines that are not ours. */

@@ -20,7 +20,7 @@ final class Comparison {
 
     /** The comparison for a problem, if both sides have points. */
     static Optional<Comparison> of(Asked asked) {
-        return asked.preset("GAME")
+        return asked.game()
                 .filter(game -> !asked.peers().isEmpty())
                 .map(game -> new Comparison(asked, game));
     }

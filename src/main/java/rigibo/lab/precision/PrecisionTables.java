@@ -32,11 +32,7 @@ final class PrecisionTables {
         others(all.get(0))
                 .forEach(other -> head.add(other.engine() + " " + other.setting().name()));
         return new Table(
-                head,
-                rows(
-                        asked ->
-                                Stream.concat(asked.preset("GAME").stream(), others(asked))
-                                        .toList()));
+                head, rows(asked -> Stream.concat(asked.game().stream(), others(asked)).toList()));
     }
 
     private static Stream<Point> others(Asked asked) {

@@ -24,28 +24,6 @@ class HostileLawTest {
     private static final int SCENES = 8;
     private static final int STEPS = 5;
 
-    private record Motion(double x, double y, double angle, double vx, double vy, double spin) {
-
-        static Motion of(RigidBody body) {
-            return new Motion(
-                    body.x(),
-                    body.y(),
-                    body.angle(),
-                    body.velocityX(),
-                    body.velocityY(),
-                    body.angularVelocity());
-        }
-
-        boolean isFinite() {
-            return Double.isFinite(x)
-                    && Double.isFinite(y)
-                    && Double.isFinite(angle)
-                    && Double.isFinite(vx)
-                    && Double.isFinite(vy)
-                    && Double.isFinite(spin);
-        }
-    }
-
     /** Each of these eights holds a scene that once broke off, spread, or pushed what is fixed. */
     @ParameterizedTest
     @ValueSource(longs = {1, 105, 135, 250, 290, 425, 460})
@@ -59,15 +37,15 @@ class HostileLawTest {
         HostileScene scene = new HostileScene(seed);
         Pool pool = scene.withSick();
         Pool healthy = scene.healthy();
-        List<Motion> before = motions(pool);
+        List<State> before = motions(pool);
         for (int step = 0; step < STEPS; step++) {
             double dt = scene.length();
             String where = "seed " + seed + ", step " + step + " of " + dt + " s";
             scene.push(pool);
             pool.step(dt);
             healthy.step(dt);
-            List<Motion> after = motions(pool);
-            assertThat(after).as(where).allMatch(Motion::isFinite);
+            List<State> after = motions(pool);
+            assertThat(after).as(where).allMatch(State::isFinite);
             assertThat(after.subList(0, healthy.bodies().size()))
                     .as("strangers, %s", where)
                     .isEqualTo(motions(healthy));
@@ -77,25 +55,25 @@ class HostileLawTest {
         }
     }
 
-    private static List<Motion> motions(Pool pool) {
-        List<Motion> motions = new ArrayList<>();
-        pool.bodies().forEach(body -> motions.add(Motion.of(body)));
+    private static List<State> motions(Pool pool) {
+        List<State> motions = new ArrayList<>();
+        pool.bodies().forEach(body -> motions.add(State.of(body)));
         return motions;
     }
 
     /** Static bodies stay; kinematic ones move at their velocity. */
     private static void requireUnmoved(
-            Pool pool, List<Motion> before, List<Motion> after, String where) {
+            Pool pool, List<State> before, List<State> after, String where) {
         for (int i = 0; i < before.size(); i++) {
             RigidBody body = pool.bodies().get(i);
-            Motion was = before.get(i);
-            Motion is = after.get(i);
+            State was = before.get(i);
+            State is = after.get(i);
             if (body.type() == BodyType.STATIC) {
                 assertThat(is).as("fixed body %d, %s", i, where).isEqualTo(was);
             } else if (body.type() == BodyType.KINEMATIC) {
-                assertThat(List.of(is.vx, is.vy, is.spin))
+                assertThat(List.of(is.velocityX(), is.velocityY(), is.spin()))
                         .as("driven body %d, %s", i, where)
-                        .isEqualTo(List.of(was.vx, was.vy, was.spin));
+                        .isEqualTo(List.of(was.velocityX(), was.velocityY(), was.spin()));
             }
         }
     }

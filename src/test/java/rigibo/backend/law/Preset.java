@@ -5,13 +5,13 @@ import rigibo.backend.setup.Accuracy;
 import java.util.Arrays;
 
 /** The presets by name. */
-enum Preset {
+public enum Preset {
     DRAFT(Accuracy.DRAFT),
     GAME(Accuracy.GAME),
     FINE(Accuracy.FINE),
     EXACT(Accuracy.EXACT);
 
-    final Accuracy accuracy;
+    public final Accuracy accuracy;
 
     Preset(Accuracy accuracy) {
         this.accuracy = accuracy;

@@ -18,7 +18,11 @@ final class RoundOff {
     private static final int PER_EVENT = 16;
 
     private double events = 1;
+
+    /** Largest Σ|m·v| up to now, N·s. */
     private double speeds;
+
+    /** Largest Σ(|m·v|·|r| + |I·ω|) up to now, kg·m²/s. */
     private double spins;
 
     /** Takes note of a pool whose last step had a number of impacts. */
@@ -34,16 +38,6 @@ final class RoundOff {
         }
         speeds = Math.max(speeds, linear);
         spins = Math.max(spins, angular);
-    }
-
-    /** Largest Σ|m·v| up to now, N·s. */
-    double momentumScale() {
-        return speeds;
-    }
-
-    /** Largest Σ(|m·v|·|r| + |I·ω|) up to now, kg·m²/s. */
-    double angularScale() {
-        return spins;
     }
 
     /** N·s. */

@@ -3,6 +3,8 @@ package rigibo.backend.law;
 import rigibo.backend.RigidBody;
 import rigibo.backend.setup.BodyDefinition;
 
+import java.util.stream.DoubleStream;
+
 /**
  * Where a body is and how it moves.
  *
@@ -33,6 +35,10 @@ record State(double x, double y, double angle, double velocityX, double velocity
     /** The larger of the distance of the places in m and of the difference of the angles in rad. */
     double off(State other) {
         return Math.max(Math.hypot(x - other.x, y - other.y), Math.abs(angle - other.angle));
+    }
+
+    boolean isFinite() {
+        return DoubleStream.of(x, y, angle, velocityX, velocityY, spin).allMatch(Double::isFinite);
     }
 
     /** Whether every number is the same; the two zeros are. */

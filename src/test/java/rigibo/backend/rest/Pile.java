@@ -1,5 +1,7 @@
 package rigibo.backend.rest;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import rigibo.backend.effect.Effect;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.setup.BodyType;
@@ -53,5 +55,11 @@ final class Pile {
     void accept() {
         data.roster.isStale = true;
         data.roster.refresh(bodies);
+    }
+
+    void requireAwake(boolean isAwake, int... slots) {
+        for (int slot : slots) {
+            assertThat(bodies.awake[slot]).as("body %s is awake", slot).isEqualTo(isAwake);
+        }
     }
 }

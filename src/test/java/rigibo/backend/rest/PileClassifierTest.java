@@ -39,20 +39,22 @@ class PileClassifierTest {
 
     private final int floor = pile.body(BodyType.STATIC);
     private final int box = pile.falling(G);
-    private final int far = contactsFarFrom(pile.body(BodyType.STATIC), 3);
-    private final int contact = pile.contact(floor, box, 2);
+    private final int contact = contactAfterOthers();
 
     PileClassifierTest() {
         pairs.pointX[2 * contact] = -0.5;
         pairs.pointX[2 * contact + 1] = 0.5;
     }
 
-    /** So many pairs without points, whose numbers come first. */
-    private int contactsFarFrom(int body, int count) {
-        for (int i = 0; i < count; i++) {
-            pile.contact(pile.body(BodyType.STATIC), body, 0);
+    /**
+     * The contact of the box with the floor, whose number comes after three pairs without points.
+     */
+    private int contactAfterOthers() {
+        int far = pile.body(BodyType.STATIC);
+        for (int i = 0; i < 3; i++) {
+            pile.contact(pile.body(BodyType.STATIC), far, 0);
         }
-        return body;
+        return pile.contact(floor, box, 2);
     }
 
     private boolean isPiled(ImpactMode mode) {

@@ -53,12 +53,6 @@ class SleepingTest {
         }
     }
 
-    private void requireAwake(boolean isAwake, int... slots) {
-        for (int slot : slots) {
-            assertThat(bodies.awake[slot]).as("body %s is awake", slot).isEqualTo(isAwake);
-        }
-    }
-
     /** Two islands side by side are measured each by itself. */
     @Test
     void islandsSleepEachInItsTime() {
@@ -71,10 +65,10 @@ class SleepingTest {
         }
         bodies.stillTime[third] = 0;
         rest(STEPS - 1);
-        requireAwake(false, lower, upper);
-        requireAwake(true, third, fourth);
+        pile.requireAwake(false, lower, upper);
+        pile.requireAwake(true, third, fourth);
         rest(1);
-        requireAwake(false, third, fourth);
+        pile.requireAwake(false, third, fourth);
     }
 
     @ParameterizedTest
@@ -86,17 +80,17 @@ class SleepingTest {
         for (double time = DT; time < seconds; time += DT) {
             sleeping.settle(DT);
         }
-        requireAwake(true, lower, upper);
+        pile.requireAwake(true, lower, upper);
         sleeping.settle(DT);
-        requireAwake(false, lower, upper);
+        pile.requireAwake(false, lower, upper);
     }
 
     @Test
     void sleepsAfterTheTimeAndNotBefore() {
         rest(STEPS - 1);
-        requireAwake(true, lower, upper);
+        pile.requireAwake(true, lower, upper);
         rest(1);
-        requireAwake(false, lower, upper);
+        pile.requireAwake(false, lower, upper);
         assertThat(pile.data.roster.isStale).isTrue();
     }
 
@@ -123,8 +117,8 @@ class SleepingTest {
             bodies.x[upper] += 2 * DISTANCE;
             rest(1);
         }
-        requireAwake(true, lower, upper);
-        requireAwake(false, apart);
+        pile.requireAwake(true, lower, upper);
+        pile.requireAwake(false, apart);
     }
 
     /** It is the island's stillest time that counts, whichever of its bodies has it. */
@@ -133,9 +127,9 @@ class SleepingTest {
         rest(2);
         bodies.y[lower] += 2 * DISTANCE;
         rest(STEPS);
-        requireAwake(true, lower, upper);
+        pile.requireAwake(true, lower, upper);
         rest(1);
-        requireAwake(false, lower, upper);
+        pile.requireAwake(false, lower, upper);
     }
 
     /** 5/4 of the distance, aslant: 3/4 and 4/4 of it, each of which alone would be within. */
@@ -145,7 +139,7 @@ class SleepingTest {
         bodies.x[lower] = 0.75 * DISTANCE;
         bodies.y[lower] = -DISTANCE;
         rest(1);
-        requireAwake(true, lower, upper);
+        pile.requireAwake(true, lower, upper);
     }
 
     /** However slow: what slides for good leaves any place at last. */
@@ -156,7 +150,7 @@ class SleepingTest {
             bodies.x[upper] += perStep;
             rest(1);
         }
-        requireAwake(true, lower, upper);
+        pile.requireAwake(true, lower, upper);
     }
 
     @Test
@@ -165,7 +159,7 @@ class SleepingTest {
             bodies.x[upper] = (i % 2 == 0 ? 1 : -1) * DISTANCE;
             rest(1);
         }
-        requireAwake(false, lower, upper);
+        pile.requireAwake(false, lower, upper);
     }
 
     /** Farthest points 1 m and 4 m away: the angle counts by how far it moves them. */
@@ -184,7 +178,7 @@ class SleepingTest {
         rest(STEPS - 1);
         bodies.angle[upper] = angle;
         rest(1);
-        requireAwake(isAwake, lower, upper);
+        pile.requireAwake(isAwake, lower, upper);
     }
 
     /** Half of the distance each way is within, a bit more is not. */
@@ -194,11 +188,11 @@ class SleepingTest {
         bodies.x[upper] = DISTANCE / 2;
         bodies.angle[upper] = -0.51 * DISTANCE;
         rest(1);
-        requireAwake(true, lower, upper);
+        pile.requireAwake(true, lower, upper);
         bodies.x[upper] += DISTANCE / 2;
         bodies.angle[upper] += DISTANCE / 2;
         rest(STEPS);
-        requireAwake(false, lower, upper);
+        pile.requireAwake(false, lower, upper);
     }
 
     @Test
@@ -209,7 +203,7 @@ class SleepingTest {
         bodies.x[lower] = 8 * DISTANCE;
         bodies.x[upper] = DISTANCE / 2;
         rest(1);
-        requireAwake(false, lower, upper);
+        pile.requireAwake(false, lower, upper);
     }
 
     @Test
@@ -218,7 +212,7 @@ class SleepingTest {
         rest(STEPS - 1);
         bodies.x[upper] = 0.51 * DISTANCE;
         rest(1);
-        requireAwake(true, lower, upper);
+        pile.requireAwake(true, lower, upper);
     }
 
     /**
@@ -241,7 +235,7 @@ class SleepingTest {
         pile.contact(upper, lift, points);
         rest(STEPS);
 
-        requireAwake(isAwake, lower, upper);
+        pile.requireAwake(isAwake, lower, upper);
     }
 
     @Test
@@ -270,8 +264,8 @@ class SleepingTest {
         int last = piled();
         rest(STEPS);
 
-        requireAwake(false, lower, upper, last);
-        requireAwake(true, carried);
+        pile.requireAwake(false, lower, upper, last);
+        pile.requireAwake(true, carried);
     }
 
     @Test

@@ -65,12 +65,6 @@ class SteadyWithoutTest {
         new SupportLoss(pile.data, new Waking(pile.data)).wakeNeighbours(going);
     }
 
-    private void requireAwake(boolean isAwake, int... slots) {
-        for (int slot : slots) {
-            assertThat(bodies.awake[slot]).as("body %s is awake", slot).isEqualTo(isAwake);
-        }
-    }
-
     /** The weight presses on a point: as it still lies there, it counts as a load. */
     private void build(double left, double right) {
         stand(weight, beam, 0, 0);
@@ -94,7 +88,7 @@ class SteadyWithoutTest {
     void aBeamStandsOnWhatIsUnderItsCentre(double left, double right, boolean wakes) {
         build(left, right);
         take(weight);
-        requireAwake(wakes, beam, pillar);
+        pile.requireAwake(wakes, beam, pillar);
     }
 
     /** The tolerance scales with the smallest width. */
@@ -104,7 +98,7 @@ class SteadyWithoutTest {
         bodies.smallestWidth[beam] = width;
         build(0.0006, 0.5);
         take(weight);
-        requireAwake(wakes, beam);
+        pile.requireAwake(wakes, beam);
     }
 
     /** A load beyond the pillar that the weight held in balance: it tips to either side. */
@@ -121,7 +115,7 @@ class SteadyWithoutTest {
         build(-0.5, 0.5);
         stand(load, beam, left, right);
         take(weight);
-        requireAwake(wakes, load, beam, pillar);
+        pile.requireAwake(wakes, load, beam, pillar);
     }
 
     /** Two pillars span what is between them. */
@@ -132,7 +126,7 @@ class SteadyWithoutTest {
         stand(beam, other, 0.8, 0.9);
         stand(other, ground, -1, 1);
         take(weight);
-        requireAwake(false, beam, pillar, other);
+        pile.requireAwake(false, beam, pillar, other);
     }
 
     /** Places are the world's: all of it 3 m to the right, and the beam where it was. */
@@ -145,7 +139,7 @@ class SteadyWithoutTest {
         stand(beam, pillar, 2.5, 3.5);
         stand(pillar, ground, 2, 4);
         take(weight);
-        requireAwake(wakes, beam);
+        pile.requireAwake(wakes, beam);
     }
 
     /** What the beam stands on must be as steady: its own centre is not above its own foot. */
@@ -155,7 +149,7 @@ class SteadyWithoutTest {
         stand(beam, pillar, -0.5, 0.5);
         stand(pillar, ground, 0.1, 1);
         take(weight);
-        requireAwake(true, beam, pillar);
+        pile.requireAwake(true, beam, pillar);
     }
 
     /** Whichever contact was first. */
@@ -170,7 +164,7 @@ class SteadyWithoutTest {
             touch(beam, sleeper(), 1, 0);
         }
         take(weight);
-        requireAwake(true, beam);
+        pile.requireAwake(true, beam);
     }
 
     /** On a slope it is friction that holds; of cosines above 0.999 nothing is to be seen. */
@@ -182,7 +176,7 @@ class SteadyWithoutTest {
         pairs.pointX[2 * pair] = -0.5;
         pairs.pointX[2 * pair + 1] = 0.5;
         take(weight);
-        requireAwake(wakes, beam);
+        pile.requireAwake(wakes, beam);
     }
 
     /** A weight that leans from aslant was no load from above. */
@@ -191,7 +185,7 @@ class SteadyWithoutTest {
         stand(beam, ground, -0.5, 0.5);
         touch(beam, weight, 1, 0);
         take(weight);
-        requireAwake(true, beam);
+        pile.requireAwake(true, beam);
     }
 
     /** Upright or all but, and what it stood on itself sleeps on: it only lost a load. */
@@ -206,8 +200,8 @@ class SteadyWithoutTest {
         stand(pillar, base, -0.5, 0.5);
         stand(base, ground, -1, 1);
         take(pillar);
-        requireAwake(true, beam, weight);
-        requireAwake(false, base);
+        pile.requireAwake(true, beam, weight);
+        pile.requireAwake(false, base);
     }
 
     /**
@@ -223,8 +217,8 @@ class SteadyWithoutTest {
         stand(beam, ground, left, 0.5);
         stand(other, ground, -0.4 - left, 0.5);
         take(weight);
-        requireAwake(tipsFirst, beam);
-        requireAwake(!tipsFirst, other);
+        pile.requireAwake(tipsFirst, beam);
+        pile.requireAwake(!tipsFirst, other);
     }
 
     /** On a belt that runs friction pulls; on one that stands nothing does. */
@@ -236,7 +230,7 @@ class SteadyWithoutTest {
         stand(weight, beam, -0.1, 0.1);
         stand(beam, belt, -0.5, 0.5);
         take(weight);
-        requireAwake(wakes, beam);
+        pile.requireAwake(wakes, beam);
     }
 
     @Test
@@ -244,7 +238,7 @@ class SteadyWithoutTest {
         build(-0.5, 0.5);
         bodies.awake[pillar] = true;
         take(weight);
-        requireAwake(true, beam);
+        pile.requireAwake(true, beam);
     }
 
     /** Relieved of its load, a support that is pulled upwards would rise. */
@@ -253,7 +247,7 @@ class SteadyWithoutTest {
         build(-0.5, 0.5);
         bodies.accelerationY[pillar] = 1;
         take(weight);
-        requireAwake(true, beam);
+        pile.requireAwake(true, beam);
     }
 
     @Test
@@ -261,7 +255,7 @@ class SteadyWithoutTest {
         build(-0.5, 0.5);
         bodies.accelerationY[beam] = 0;
         take(weight);
-        requireAwake(true, beam);
+        pile.requireAwake(true, beam);
     }
 
     @Test
@@ -272,7 +266,7 @@ class SteadyWithoutTest {
         pairs.touching[touch(beam, apart, 1, 0)] = false;
         stand(weight, beam, -0.1, 0.1);
         take(weight);
-        requireAwake(false, beam, apart);
+        pile.requireAwake(false, beam, apart);
     }
 
     /** Nor is a body a support that is near a beam without touching it. */
@@ -281,7 +275,7 @@ class SteadyWithoutTest {
         build(0.2, 0.5);
         pairs.touching[stand(beam, sleeper(), -0.5, -0.2)] = false;
         take(weight);
-        requireAwake(true, beam);
+        pile.requireAwake(true, beam);
     }
 
     /** What it does without its neighbour has to be seen before it may sleep. */
@@ -311,7 +305,7 @@ class SteadyWithoutTest {
         lean(beam, pillar, low, high);
         lean(pillar, ground, -1, 1);
         take(weight);
-        requireAwake(wakes, beam);
+        pile.requireAwake(wakes, beam);
     }
 
     /** Beams on pillars in a world that is turned: statics knows no axes. */
@@ -339,7 +333,7 @@ class SteadyWithoutTest {
             turn(pairs.active[i], angle);
         }
         take(weight);
-        requireAwake(wakes, beam);
+        pile.requireAwake(wakes, beam);
     }
 
     /** Points at a height that nothing depends on. */
@@ -370,16 +364,16 @@ class SteadyWithoutTest {
         stand(second, beam, -0.1, 0.1);
         SupportLoss loss = new SupportLoss(pile.data, new Waking(pile.data));
         loss.wakeNeighbours(weight);
-        requireAwake(false, beam, pillar);
+        pile.requireAwake(false, beam, pillar);
         bodies.x[beam] = 0.6;
         loss.wakeNeighbours(second);
-        requireAwake(true, beam, pillar);
+        pile.requireAwake(true, beam, pillar);
     }
 
     @Test
     void theGroundIsNobodyToWake() {
         stand(weight, ground, -0.5, 0.5);
         take(weight);
-        requireAwake(false, ground);
+        pile.requireAwake(false, ground);
     }
 }

@@ -33,7 +33,6 @@ class StepBodiesTest {
         final DataStorage data;
         final Bodies bodies;
         final StepBodies listed;
-        final int fixed;
         final int driven;
         final int first;
         final int sleeper;
@@ -43,7 +42,7 @@ class StepBodiesTest {
             data = new DataStorage(Effects.of(effects));
             bodies = data.bodies;
             listed = new StepBodies(data);
-            fixed = body(BodyType.STATIC, false);
+            body(BodyType.STATIC, false);
             driven = body(BodyType.KINEMATIC, false);
             first = body(BodyType.DYNAMIC, true);
             sleeper = body(BodyType.DYNAMIC, false);

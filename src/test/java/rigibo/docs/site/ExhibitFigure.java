@@ -12,7 +12,6 @@ import rigibo.frontend.gallery.Looks;
 import rigibo.frontend.gallery.Sketch;
 import rigibo.frontend.gallery.View;
 import rigibo.frontend.scene.Color;
-import rigibo.lab.plot.Anchor;
 import rigibo.lab.plot.Drawing;
 import rigibo.lab.plot.Spot;
 
@@ -32,7 +31,6 @@ final class ExhibitFigure implements DebugDraw, Sketch {
     private static final double RIM = 0.8; // px
     private static final double LINE = 2; // px
     private static final double POINT = 3.5; // px
-    private static final int LETTERS = 15; // px
 
     /** Corners of what is drawn in place of a disc. */
     private static final int AROUND = 40;
@@ -158,12 +156,6 @@ final class ExhibitFigure implements DebugDraw, Sketch {
             corners.add(spot(at.x() + cos * x - sin * y, at.y() + sin * x + cos * y));
         }
         return corners;
-    }
-
-    @Override
-    public void number(double x, double y, String figure) {
-        Spot at = spot(x, y);
-        drawing.text(at.x(), at.y(), Anchor.MIDDLE, LETTERS, hex(Color.TEXT, 1), figure);
     }
 
     /** The pages have their own words. */

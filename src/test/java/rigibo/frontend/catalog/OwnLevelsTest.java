@@ -2,6 +2,8 @@ package rigibo.frontend.catalog;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.click;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -11,7 +13,6 @@ import rigibo.frontend.puzzle.level.LevelShelf;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
-import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
@@ -39,7 +40,7 @@ class OwnLevelsTest {
 
     private Scene opened(String button) {
         Scene levels = Catalog.levels(director);
-        press(levels, button);
+        click(levels, button);
         return director.shown.get(director.shown.size() - 1);
     }
 
@@ -71,11 +72,11 @@ class OwnLevelsTest {
         assertThat(Legibility.faults(Catalog.levels(told))).isEmpty();
         Scene levels = Catalog.levels(told);
         String button = language.equals("de") ? "Deine Level" : "Your levels";
-        press(levels, button);
+        click(levels, button);
         Scene own = told.shown.get(0);
         assertThat(Legibility.faults(own)).isEmpty();
         assertThat(RecordingCanvas.of(own).texts()).contains("1 / 2");
-        press(own, "›");
+        click(own, "›");
         assertThat(RecordingCanvas.of(own).texts()).contains("2 / 2");
         assertThat(Legibility.faults(own)).isEmpty();
         own.scrolled(1, 0, 0);
@@ -91,17 +92,11 @@ class OwnLevelsTest {
         Files.writeString(folder.resolve("broken.json"), "{}");
         told.levels = Optional.of(folder);
         Scene levels = Catalog.levels(told);
-        press(levels, language.equals("de") ? "Deine Level" : "Your levels");
+        click(levels, language.equals("de") ? "Deine Level" : "Your levels");
         Scene own = told.shown.get(0);
         assertThat(Legibility.faultsInHand(own)).isEmpty();
         for (Layout hand : Legibility.HANDS) {
             assertThat(RecordingCanvas.of(own, hand).texts()).contains("‹", "›");
         }
-    }
-
-    private static void press(Scene scene, String words) {
-        double[] at = RecordingCanvas.of(scene).middleOf(words);
-        scene.pointerMoved(at[0], at[1]);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
     }
 }

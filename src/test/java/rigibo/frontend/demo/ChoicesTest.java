@@ -25,12 +25,6 @@ class ChoicesTest {
         return EveryDemo.all();
     }
 
-    private static Workbench bench(Demo demo) {
-        Workbench bench = new Workbench(demo.effects(), demo.camera());
-        demo.build(bench);
-        return bench;
-    }
-
     private static List<Widget> linked(Demo demo) {
         return demo.widgets().stream().filter(any -> !any.linked().isEmpty()).toList();
     }
@@ -39,13 +33,13 @@ class ChoicesTest {
     @MethodSource("demos")
     void everyControlIsAsItWas(Function<Words, Demo> maker) {
         Demo sent = maker.apply(new Words("en"));
-        bench(sent);
+        EveryDemo.built(sent);
         Choices choices = new Choices(sent.widgets());
         assertThat(choices.in(Link.to("any"))).isEqualTo(Link.to("any"));
         linked(sent).forEach(widget -> widget.nudge(1));
         Link link = Link.of(choices.in(Link.to("any")).text());
         Demo opened = maker.apply(new Words("de"));
-        bench(opened);
+        EveryDemo.built(opened);
         int taken = new Choices(opened.widgets()).follow(link);
         assertThat(taken).isEqualTo(linked(sent).size()).isEqualTo(link.choices().size());
         assertThat(linked(opened).stream().map(Widget::setting))
@@ -56,7 +50,7 @@ class ChoicesTest {
     @MethodSource("demos")
     void controlsHaveNamesOfTheirOwn(Function<Words, Demo> maker) {
         Demo demo = maker.apply(new Words("en"));
-        bench(demo);
+        EveryDemo.built(demo);
         Set<String> names = new HashSet<>(Set.of("accuracy", "ghost"));
         assertThat(linked(demo)).isNotEmpty().allMatch(any -> names.add(any.linked()));
     }
@@ -65,7 +59,7 @@ class ChoicesTest {
     @Test
     void cratesAreStackedAsTheLinkSays() {
         Demo demo = new CrateDemo(new Words("en"));
-        Pool pool = bench(demo).pool();
+        Pool pool = EveryDemo.built(demo).pool();
         new Choices(demo.widgets()).follow(Link.of("crate?mass=20"));
         demo.followed();
         List<RigidBody> crates =

@@ -2,6 +2,8 @@ package rigibo.frontend.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.click;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -9,7 +11,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
-import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
@@ -26,19 +27,13 @@ class DemoControlsTest {
         return Demos.entries().get(demo).open().apply(new RecordingDirector());
     }
 
-    private static void click(Scene scene, String words) {
-        double[] at = RecordingCanvas.of(scene).middleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerMoved(-1, -1);
-    }
-
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 3, 4, 5})
     void dialIsTurnedByMouseAndKeysAndAlwaysThere(int demo) {
         Scene scene = open(demo);
         assertThat(RecordingCanvas.of(scene).plateOf("GAME")).isEqualTo(Color.BRASS);
         click(scene, "EXACT");
+        scene.pointerMoved(-1, -1);
         scene.step();
         assertThat(RecordingCanvas.of(scene).plateOf("EXACT")).isEqualTo(Color.BRASS);
         scene.keyPressed(Key.DIGIT_1);

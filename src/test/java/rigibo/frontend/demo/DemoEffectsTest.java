@@ -2,6 +2,8 @@ package rigibo.frontend.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.click;
+
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -9,7 +11,6 @@ import rigibo.backend.effect.Effect;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
-import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
@@ -66,12 +67,6 @@ class DemoEffectsTest {
         return maker.apply(new Words("en")).effects().all().stream().map(Effect::title).toList();
     }
 
-    private static void click(Scene scene, String words) {
-        double[] at = RecordingCanvas.of(scene, EveryDemo.WIDE).middleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
-    }
-
     @ParameterizedTest
     @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void litIsWhatTheDemoDeclares(Function<Words, Demo> maker) {
@@ -96,7 +91,7 @@ class DemoEffectsTest {
     void everyEffectCanBeTriedAndRRestoresTheSet(Function<Words, Demo> maker) {
         Scene scene = open(maker);
         for (String chip : chips(RecordingCanvas.of(scene, EveryDemo.WIDE))) {
-            click(scene, name(chip));
+            click(scene, EveryDemo.WIDE, name(chip));
             for (int i = 0; i < 30; i++) {
                 scene.step();
             }
@@ -110,11 +105,11 @@ class DemoEffectsTest {
     @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void aSwitchedEffectIsMarkedUntilItIsBack(Function<Words, Demo> maker) {
         Scene scene = open(maker);
-        click(scene, "gravity");
+        click(scene, EveryDemo.WIDE, "gravity");
         scene.pointerMoved(-1, -1);
         assertThat(RecordingCanvas.of(scene, EveryDemo.WIDE).texts())
                 .anyMatch(words -> words.startsWith("an experiment"));
-        click(scene, "gravity");
+        click(scene, EveryDemo.WIDE, "gravity");
         scene.pointerMoved(-1, -1);
         assertThat(RecordingCanvas.of(scene, EveryDemo.WIDE).texts())
                 .noneMatch(words -> words.startsWith("an experiment"));

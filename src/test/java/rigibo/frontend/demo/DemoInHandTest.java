@@ -2,6 +2,8 @@ package rigibo.frontend.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.touch;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -10,7 +12,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rigibo.frontend.scene.Control;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
-import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.RecordingNarrator;
@@ -81,12 +82,6 @@ class DemoInHandTest {
 
     private static double middleOfSign(Scene scene, Layout layout) {
         return RecordingCanvas.of(scene, layout).firstMiddleOf("ice holds")[0];
-    }
-
-    private static void touch(Scene scene, Layout layout, String words) {
-        double[] at = RecordingCanvas.of(scene, layout).firstMiddleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
 
     private static void assertInOrder(Scene scene, Layout layout) {

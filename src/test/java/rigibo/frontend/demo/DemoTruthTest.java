@@ -23,12 +23,6 @@ class DemoTruthTest {
     /** Ice at 8 m/s slides for 8/(0.03·g) = 27.2 s. */
     private static final int LONGEST = 28 * 60;
 
-    private <D extends Demo> Workbench open(D demo) {
-        Workbench bench = new Workbench(demo.effects(), demo.camera());
-        demo.build(bench);
-        return bench;
-    }
-
     private static void run(Demo demo, Workbench bench, int steps) {
         for (int i = 0; i < steps; i++) {
             demo.beforeStep(bench);
@@ -61,7 +55,7 @@ class DemoTruthTest {
     @CsvSource({"0, 5", "0, 8", "1, 8", "20, 3", "30, 8", "43, 6", "60, 1", "60, 8"})
     void boxesComeAsFarAsCoulombsLawSays(double degrees, double speed) {
         FrictionDemo demo = new FrictionDemo(new Words("en"));
-        Workbench bench = open(demo);
+        Workbench bench = EveryDemo.built(demo);
         set(demo, "speed", speed);
         set(demo, "ramp", degrees);
         run(demo, bench, LONGEST);
@@ -77,7 +71,7 @@ class DemoTruthTest {
     @Test
     void heatIsWhatTheLaunchLost() {
         FrictionDemo demo = new FrictionDemo(new Words("en"));
-        Workbench bench = open(demo);
+        Workbench bench = EveryDemo.built(demo);
         run(demo, bench, LONGEST);
         for (Lane lane : demo.lanes()) {
             assertThat(lane.heat()).isCloseTo(10 * 5 * 5 / 2.0, within(1e-3));
@@ -99,7 +93,7 @@ class DemoTruthTest {
             double thrust,
             boolean isHoop) {
         WheelDemo demo = new WheelDemo(new Words("en"));
-        Workbench bench = open(demo);
+        Workbench bench = EveryDemo.built(demo);
         set(demo, "ramp", ramp);
         set(demo, "friction", friction);
         set(demo, "rolling c", lever);
@@ -124,7 +118,7 @@ class DemoTruthTest {
     @Test
     void brakeStopsAndHoldsTheWheel() {
         WheelDemo demo = new WheelDemo(new Words("en"));
-        Workbench bench = open(demo);
+        Workbench bench = EveryDemo.built(demo);
         run(demo, bench, 60);
         flip(demo, "brake");
         int others = 0;

@@ -24,4 +24,11 @@ final class EveryDemo {
                 PendulumDemo::new,
                 CarDemo::new);
     }
+
+    /** Puts the bodies of a demo on a bench. */
+    static Workbench built(Demo demo) {
+        Workbench bench = new Workbench(demo.effects(), demo.camera());
+        demo.build(bench);
+        return bench;
+    }
 }

@@ -34,7 +34,7 @@ class GhostInDemosTest {
     @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void ghostAtTheSameAccuracyStaysInTheScene(Function<Words, Demo> maker) {
         Demo demo = maker.apply(new Words("en"));
-        Workbench bench = built(demo);
+        Workbench bench = EveryDemo.built(demo);
         bench.haunt(new Ghost(bench.pool(), Preset.GAME));
         drive(demo, bench);
         assertThat(bench.ghost().divergence().distance()).isZero();
@@ -44,7 +44,7 @@ class GhostInDemosTest {
     @Test
     void ghostAtAnotherAccuracyParts() {
         Demo demo = new CrateDemo(new Words("en"));
-        Workbench bench = built(demo);
+        Workbench bench = EveryDemo.built(demo);
         bench.haunt(true);
         drive(demo, bench);
         assertThat(bench.ghost().preset()).isEqualTo(Preset.FINE);
@@ -55,10 +55,10 @@ class GhostInDemosTest {
     @MethodSource("rigibo.frontend.demo.EveryDemo#all")
     void sceneDoesNotFeelItsGhost(Function<Words, Demo> maker) {
         Demo plain = maker.apply(new Words("en"));
-        Workbench alone = built(plain);
+        Workbench alone = EveryDemo.built(plain);
         drive(plain, alone);
         Demo haunted = maker.apply(new Words("en"));
-        Workbench bench = built(haunted);
+        Workbench bench = EveryDemo.built(haunted);
         bench.haunt(true);
         drive(haunted, bench);
         assertThat(bench.pool().stateHash()).isEqualTo(alone.pool().stateHash());
@@ -85,12 +85,6 @@ class GhostInDemosTest {
         scene.keyPressed(Key.G);
         assertThat(RecordingCanvas.of(scene).texts()).doesNotContain("from FINE");
         scene.closed();
-    }
-
-    private static Workbench built(Demo demo) {
-        Workbench bench = new Workbench(demo.effects(), demo.camera());
-        demo.build(bench);
-        return bench;
     }
 
     /** Five seconds of all that can be done to a demo by hand. */

@@ -25,8 +25,7 @@ class JointDemosTest {
     private Workbench bench;
 
     private <D extends Demo> D open(D demo) {
-        bench = new Workbench(demo.effects(), demo.camera());
-        demo.build(bench);
+        bench = EveryDemo.built(demo);
         return demo;
     }
 

@@ -68,8 +68,7 @@ class NeutralInDemosTest {
     }
 
     private static Pool run(Demo demo, Effects effects) {
-        Workbench bench = new Workbench(demo.effects(), demo.camera());
-        demo.build(bench);
+        Workbench bench = EveryDemo.built(demo);
         Pool pool = bench.pool();
         pool.effects(effects);
         for (int step = 1; step <= STEPS; step++) {

@@ -2,13 +2,14 @@ package rigibo.frontend.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.click;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Legibility;
-import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
@@ -169,11 +170,11 @@ class WorkersInFloodTest {
                 new DemoScene(new RecordingDirector(language), words -> new FloodDemo(words, 8));
         scene.keyPressed(Key.C);
         assertThat(Legibility.faults(scene)).isEmpty();
-        press(scene, new Words(language).of("flood.workers"));
+        click(scene, new Words(language).of("flood.workers"));
         for (int step = 0; step < 60; step++) {
             scene.step();
         }
-        press(scene, new Words(language).of("flood.search"));
+        click(scene, new Words(language).of("flood.search"));
         for (int part = 0; part < 8; part++) {
             assertThat(Legibility.faults(scene)).isEmpty();
             for (int step = 0; step < 20; step++) {
@@ -182,11 +183,5 @@ class WorkersInFloodTest {
         }
         assertThat(RecordingCanvas.of(scene).texts()).anyMatch(text -> text.matches("1 +8"));
         scene.closed();
-    }
-
-    private static void press(Scene scene, String words) {
-        double[] at = RecordingCanvas.of(scene).middleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
 }

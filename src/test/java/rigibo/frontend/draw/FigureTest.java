@@ -13,7 +13,7 @@ import rigibo.backend.geometry.Polygon;
 /** Every convex shape is drawn as a disc, a box or another polygon. */
 class FigureTest {
 
-    private static Figure of(Convex shape) {
+    static Figure of(Convex shape) {
         Figure figure = new Figure();
         figure.of(shape);
         return figure;

@@ -2,6 +2,8 @@ package rigibo.frontend.gallery;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.touch;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -43,12 +45,6 @@ class ExhibitSidesTest {
 
     private static Scene open(Found found) {
         return new ExhibitScene(new RecordingDirector(), found);
-    }
-
-    private static void touch(Scene scene, Layout layout, String words) {
-        double[] at = RecordingCanvas.of(scene, layout).firstMiddleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
 
     /** The number of the page, which is drawn last. */

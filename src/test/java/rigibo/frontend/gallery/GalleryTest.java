@@ -2,6 +2,8 @@ package rigibo.frontend.gallery;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.touch;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -185,12 +187,6 @@ class GalleryTest {
             touch(scene, layout, "Gallery");
             assertThat(director.shown).hasSize(1);
         }
-    }
-
-    private static void touch(Scene scene, Layout layout, String words) {
-        double[] at = RecordingCanvas.of(scene, layout).firstMiddleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
 
     /** The page of samples is right about what hangs here, and forgets none. */

@@ -3,6 +3,9 @@ package rigibo.frontend.laboratory;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import static rigibo.frontend.scene.Pointing.click;
+import static rigibo.frontend.scene.Pointing.touch;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,7 +20,6 @@ import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.RecordingNarrator;
-import rigibo.frontend.scene.Scene;
 import rigibo.frontend.scene.accuracy.Preset;
 import rigibo.frontend.scene.ghost.Parting;
 
@@ -39,12 +41,6 @@ class LaboratorySceneTest {
         click(scene, experiment);
         scene.left().choose(Preset.GAME);
         return scene;
-    }
-
-    private static void click(LaboratoryScene scene, String words) {
-        double[] at = RecordingCanvas.of(scene).middleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
 
     private static void run(LaboratoryScene scene, int turns) {
@@ -259,12 +255,6 @@ class LaboratorySceneTest {
             touch(scene, layout, "Menu");
         }
         assertThat(director.asked).hasSize(Legibility.HANDS.size()).containsOnly("menu");
-    }
-
-    private static void touch(Scene scene, Layout layout, String words) {
-        double[] at = RecordingCanvas.of(scene, layout).firstMiddleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
     }
 
     @ParameterizedTest

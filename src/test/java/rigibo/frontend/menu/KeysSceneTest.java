@@ -2,6 +2,8 @@ package rigibo.frontend.menu;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.click;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -10,7 +12,6 @@ import rigibo.frontend.scene.Action;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.KeyBindings;
 import rigibo.frontend.scene.Legibility;
-import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 
@@ -19,18 +20,13 @@ class KeysSceneTest {
     private final RecordingDirector director = new RecordingDirector();
     private final KeysScene scene = new KeysScene(director);
 
-    private void click(String words) {
-        double[] at = RecordingCanvas.of(scene).middleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-    }
-
     private Key key(Action action) {
         return director.settings().keys().of(action);
     }
 
     @Test
     void theKeyThatIsPressedNextIsTheActionsOwn() {
-        click("Restart");
+        click(scene, "Restart");
         assertThat(RecordingCanvas.of(scene).texts()).contains("press a key");
         scene.keyPressed(Key.X);
         assertThat(key(Action.RESTART)).isEqualTo(Key.X);
@@ -39,7 +35,7 @@ class KeysSceneTest {
 
     @Test
     void aTakenKeyIsSwappedAndThePageSaysSo() {
-        click("Hint");
+        click(scene, "Hint");
         scene.keyPressed(Key.P);
         assertThat(key(Action.PAUSE)).isEqualTo(Key.H);
         assertThat(RecordingCanvas.of(scene).texts())
@@ -62,7 +58,7 @@ class KeysSceneTest {
 
     @Test
     void escapeLeavesTheQuestionAndThenThePage() {
-        click("Ghost");
+        click(scene, "Ghost");
         assertThat(scene.escaped()).isTrue();
         assertThat(director.shown).isEmpty();
         assertThat(scene.escaped()).isTrue();
@@ -72,9 +68,9 @@ class KeysSceneTest {
 
     @Test
     void allKeysCanBePutBack() {
-        click("Undo");
+        click(scene, "Undo");
         scene.keyPressed(Key.U);
-        click("As at first");
+        click(scene, "As at first");
         assertThat(director.settings().keys()).isEqualTo(KeyBindings.FIRST);
     }
 

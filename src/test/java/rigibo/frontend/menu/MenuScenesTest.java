@@ -3,6 +3,8 @@ package rigibo.frontend.menu;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import static rigibo.frontend.scene.Pointing.click;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -34,13 +36,6 @@ class MenuScenesTest {
     private static final double ROUND_OFF = 1e-9;
 
     private final RecordingDirector director = new RecordingDirector();
-
-    private static void click(Scene scene, String words) {
-        double[] at = RecordingCanvas.of(scene).middleOf(words);
-        scene.pointerMoved(at[0], at[1]);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
-    }
 
     private static void press(Scene scene, Key... keys) {
         for (Key key : keys) {

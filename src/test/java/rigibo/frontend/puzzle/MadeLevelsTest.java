@@ -2,6 +2,8 @@ package rigibo.frontend.puzzle;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.click;
+
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,7 +33,6 @@ import rigibo.frontend.scene.Demonstration;
 import rigibo.frontend.scene.Key;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
-import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
@@ -72,12 +73,6 @@ class MadeLevelsTest {
 
     private Scene last() {
         return director.shown.get(director.shown.size() - 1);
-    }
-
-    private static void click(Scene scene, String words) {
-        double[] at = RecordingCanvas.of(scene).middleOf(words);
-        scene.pointerMoved(at[0], at[1]);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
     }
 
     /** Plays the stored solution and reports it as the scene of the level does. */

@@ -2,12 +2,14 @@ package rigibo.frontend.puzzle;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.touch;
+
 import org.junit.jupiter.api.Test;
 
 import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Key;
-import rigibo.frontend.scene.PointerButton;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
 
@@ -73,18 +75,13 @@ class PauseTest {
     @Test
     void theMouseDoesTheSame() {
         played.keys(Key.P);
-        pressInTheBar("Resume");
+        touch(played.scene, Layout.ALONE, "Resume");
         played.turns(60);
         assertThat(played.counts()).endsWith(" 1.0 s");
         played.keys(Key.P);
-        pressInTheBar("Levels");
-        pressInTheBar("Menu");
+        touch(played.scene, Layout.ALONE, "Levels");
+        touch(played.scene, Layout.ALONE, "Menu");
         assertThat(played.director.asked).containsExactly("levels", "menu");
-    }
-
-    private void pressInTheBar(String way) {
-        double[] at = played.canvas().firstMiddleOf(way);
-        played.scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
     }
 
     @Test

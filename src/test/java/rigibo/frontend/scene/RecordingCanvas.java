@@ -64,7 +64,7 @@ public final class RecordingCanvas implements Canvas {
     public record Line(double x1, double y1, double x2, double y2, Color color) {}
 
     /** A line through points x₀, y₀, x₁, y₁, … of the screen, logical pixels. */
-    public record Curve(double[] xy, Color color) {}
+    public record Curve(double[] xy) {}
 
     /** Part of a ring on the screen, logical pixels. */
     public record Ring(double x, double y, double radius, double fraction, Color color) {}
@@ -297,7 +297,7 @@ public final class RecordingCanvas implements Canvas {
 
     @Override
     public void curve(double[] xy, int points, double width, Color color) {
-        curves.add(new Curve(Arrays.copyOf(xy, 2 * points), color));
+        curves.add(new Curve(Arrays.copyOf(xy, 2 * points)));
     }
 
     @Override

@@ -15,9 +15,6 @@ import java.util.Optional;
 /** Points that look like real ones, with numbers that can be followed by hand. */
 final class FakePoints {
 
-    static final Environment ENVIRONMENT =
-            new Environment("a machine", "Java 17", "-Xmx1g", "abc123", "a day", "./rigibo lab");
-
     static final List<Problem> PROBLEMS =
             List.of(
                     problem(

@@ -6,7 +6,6 @@ import rigibo.frontend.puzzle.replay.Recording;
 import rigibo.frontend.puzzle.rules.Act;
 import rigibo.frontend.puzzle.rules.Outcome;
 import rigibo.frontend.puzzle.rules.Playback;
-import rigibo.frontend.puzzle.rules.Target;
 import rigibo.frontend.puzzle.show.View;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Layout;
@@ -53,7 +52,7 @@ final class MouseCheck {
             int due = here.upcoming().map(Act::step).orElse(MOST_STEPS);
             int ahead = due - here.game().steps();
             if (ahead <= 0) {
-                page.click(spot(here, camera));
+                page.click(PhoneCheck.spot(LAYOUT, here, camera));
             }
             // A due click comes before the first of the following steps.
             int steps = Math.max(1, Math.min(ahead, Stepped.AT_ONCE));
@@ -65,12 +64,5 @@ final class MouseCheck {
         System.out.println(
                 level.id() + (isKept ? " was solved" : " was not solved") + " by clicks");
         return isKept;
-    }
-
-    /** The place on the page of the next target. */
-    private static Page.Spot spot(Playback here, Camera camera) {
-        Target next = here.game().target(here.upcoming().orElseThrow().target()).orElseThrow();
-        return new Page.Spot(
-                LAYOUT.windowX(camera.screenX(next.x())), LAYOUT.windowY(camera.screenY(next.y())));
     }
 }

@@ -62,15 +62,15 @@ final class PhoneCheck {
         while (here.game().outcome() == Outcome.RUNNING && here.game().steps() < MOST_STEPS) {
             if (here.upcoming().filter(act -> act.step() <= here.game().steps()).isPresent()) {
                 if (!isDown) {
-                    phone.page().down(spot(here, view.camera()));
+                    phone.page().down(spot(LAYOUT, here, view.camera()));
                 }
-                phone.page().lift(spot(here, view.camera()));
+                phone.page().lift(spot(LAYOUT, here, view.camera()));
                 isDown = false;
             } else if (ahead(here) <= Stepped.AT_ONCE) {
                 if (isLast(here, level) && !view.isEnlarged()) {
-                    enlarge(spot(here, view.camera()), view);
+                    enlarge(spot(LAYOUT, here, view.camera()), view);
                 }
-                phone.page().down(spot(here, view.camera()));
+                phone.page().down(spot(LAYOUT, here, view.camera()));
                 isDown = true;
             }
             int steps = steps(here);
@@ -104,10 +104,10 @@ final class PhoneCheck {
     }
 
     /** The place on the page of the next target. */
-    private static Page.Spot spot(Playback here, Camera camera) {
+    static Page.Spot spot(Layout layout, Playback here, Camera camera) {
         Target next = here.game().target(here.upcoming().orElseThrow().target()).orElseThrow();
         return new Page.Spot(
-                LAYOUT.windowX(camera.screenX(next.x())), LAYOUT.windowY(camera.screenY(next.y())));
+                layout.windowX(camera.screenX(next.x())), layout.windowY(camera.screenY(next.y())));
     }
 
     /** Steps until the next click is due. */

@@ -41,14 +41,14 @@ public final class EdgeContact {
     /** The corner nearest to the edge among those over or under it. */
     private int nearestOver;
 
-    /** Writes the contact points within a reach, in m; returns their number. */
-    int collide(Outline edge, Pose poseE, Outline other, Pose poseO, double reach, Manifold out) {
+    /** Writes the contact points within a reach, in m. */
+    void collide(Outline edge, Pose poseE, Outline other, Pose poseO, double reach, Manifold out) {
         double width = other.isEdge() ? 0 : other.smallestWidth();
         slack = SLACK * width;
         view.look(edge, poseE, other, poseO, RoundOff.OF_PLACES * width);
         double radius = other.radius();
         if (view.least - radius > reach || view.most + radius <= 0) {
-            return 0;
+            return;
         }
         findSide();
         gapOfFace = faceGap(radius);
@@ -72,7 +72,6 @@ public final class EdgeContact {
         if (out.count == 0) {
             await(poseE, radius, reach, out);
         }
-        return out.count;
     }
 
     /**

@@ -187,8 +187,8 @@ final class FaceClip {
         return highFromStart > 0 && lowFromEnd > 0;
     }
 
-    /** Writes the manifold with the reference polygon at a pose; returns the number of points. */
-    int write(Pose pose, NormalSource source, double reach, Manifold out) {
+    /** Writes the manifold with the reference polygon at a pose. */
+    void write(Pose pose, NormalSource source, double reach, Manifold out) {
         if (isBetweenCorners) {
             writeCorners(pose, source, reach, out);
         } else if (isOverlapping()) {
@@ -200,7 +200,6 @@ final class FaceClip {
             out.normalX = -out.normalX;
             out.normalY = -out.normalY;
         }
-        return out.count;
     }
 
     /**

@@ -101,7 +101,7 @@ final class PolygonPolygon {
      * nearest to the line between the bodies' centres; where these lie at one spot, nearest to a
      * direction that hardly any face has. So all parts of two bodies choose alike.
      */
-    int leave(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
+    void leave(Outline a, Pose poseA, Outline b, Pose poseB, double reach, Manifold out) {
         double width = Math.min(a.smallestWidth(), b.smallestWidth());
         double apart = Math.sqrt(placeB.x * placeB.x + placeB.y * placeB.y);
         boolean isApart = apart > ONE_SPOT * width;
@@ -112,7 +112,7 @@ final class PolygonPolygon {
         double bestA = facesA.findOuter(a, b, placeB, x, y, EQUAL * width);
         double bestB = facesB.findOuter(b, a, placeA, backX, backY, EQUAL * width);
         if (Math.max(bestA, bestB) == Double.NEGATIVE_INFINITY) {
-            return out.count;
+            return;
         }
         out.clear();
         double coreReach = reach + a.radius() + b.radius();
@@ -126,7 +126,6 @@ final class PolygonPolygon {
         if (a.radius() + b.radius() > 0) {
             out.round(a.radius(), b.radius());
         }
-        return out.count;
     }
 
     private boolean areApart(Outline a, Outline b, double reach) {

@@ -155,7 +155,7 @@ final class CrowdSolver {
         }
         factor.layOut();
         bounded.begin(share);
-        factor.begin();
+        factor.changeAll();
         places.correct(h);
     }
 

@@ -43,9 +43,6 @@ final class EquationFactor {
     /** By group: whether its factor is that of the equations that hold. */
     private boolean[] isReady = new boolean[16];
 
-    /** Whether equations have changed slightly since they were factored. */
-    private boolean isStale;
-
     /** Number of multiplications since the last call. */
     private double work;
 
@@ -91,21 +88,15 @@ final class EquationFactor {
         factored.forget();
     }
 
-    /**
-     * Begins with rows that were just written. A group is factored when it is first solved, and
-     * only if it differs from the factored one.
-     */
-    void begin() {
-        isStale = false;
-        Arrays.fill(isReady, 0, tree.groups, false);
-    }
-
     /** Notes that other equations hold in a group. */
     void change(int group) {
         isReady[group] = false;
     }
 
-    /** Notes that other equations hold in all groups. */
+    /**
+     * Notes that rows were written anew, or that other equations hold, in all groups. A group is
+     * factored when it is next solved, and only if it differs from the factored one.
+     */
     void changeAll() {
         Arrays.fill(isReady, 0, tree.groups, false);
     }
@@ -114,21 +105,10 @@ final class EquationFactor {
         if (isReady[group]) {
             return;
         }
-        double change = factored.change(group);
-        if (change > FactoredRows.SAME) {
+        if (factored.change(group) > FactoredRows.SAME) {
             factorize(group);
-        } else {
-            isStale |= change > 0;
         }
         isReady[group] = true;
-    }
-
-    /**
-     * Whether the factor is only an approximation of the equations that hold, so that its solutions
-     * need refinement.
-     */
-    boolean isStale() {
-        return isStale;
     }
 
     private void factorize(int group) {
@@ -288,14 +268,7 @@ final class EquationFactor {
         return unknown[equation];
     }
 
-    /** Solves for the impulses that give all changes asked for. */
-    void solve() {
-        for (int group = 0; group < tree.groups; group++) {
-            solve(group);
-        }
-    }
-
-    /** Solves one group. */
+    /** Solves for the impulses of a group that give all changes asked for. */
     void solve(int group) {
         makeReady(group);
         double[] x = unknown;

@@ -265,11 +265,6 @@ final class RowElimination {
         pivot[i] = rows.pivot(set[i], left);
     }
 
-    /** Asks for a change of speed of a row of the set, m/s. */
-    void ask(int i, double change) {
-        unknown[i] = change;
-    }
-
     /** Asks for the removal of the residuals of the set's rows; returns the largest, m/s. */
     double askForResiduals() {
         double worst = 0;

@@ -48,7 +48,7 @@ public final class CurvedRows {
         }
         double way = Math.abs(slid(row)) + Math.abs(slide(row)) * left;
         double shows = straight.unseen() * contacts.width(row);
-        return way > shows && (isFace ? leavesFace(row, pair, way) : opens(radius, way) > shows);
+        return way > shows && (isFace ? leavesFace(pair, way) : opens(radius, way) > shows);
     }
 
     /**
@@ -105,7 +105,7 @@ public final class CurvedRows {
     }
 
     /** Whether a corner, or the lowest point of a disc, reaches the end of the face it is on. */
-    private boolean leavesFace(int row, int pair, double way) {
+    private boolean leavesFace(int pair, double way) {
         double apart = findFaces(pair);
         for (int i = 0; i < 2; i++) {
             for (int j = 0; j < 2; j++) {

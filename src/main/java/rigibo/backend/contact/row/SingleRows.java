@@ -12,38 +12,36 @@ public final class SingleRows {
     /** Most rows of an island that is eliminated; for larger ones it costs more than it gains. */
     public static final int MOST_ELIMINATED = 192;
 
-    private final Motions motions;
     private final PackedContacts contacts;
 
-    public SingleRows(Motions motions, PackedContacts contacts) {
-        this.motions = motions;
+    public SingleRows(PackedContacts contacts) {
         this.contacts = contacts;
     }
 
-    /** Speed (or displacement) of B relative to A along a row, from columns as in the motions. */
-    public double relative(double[] m, int id, int ix, int iy, int turn) {
+    /** Speed of B relative to A along a row, from columns as in the motions, m/s. */
+    public double relative(double[] m, int id) {
         int row = id / ROWS_PER_CONTACT;
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
-        return directionX(id) * (m[b + ix] - m[a + ix])
-                + directionY(id) * (m[b + iy] - m[a + iy])
-                + leverB(id) * m[b + turn]
-                - leverA(id) * m[a + turn];
+        return directionX(id) * (m[b + Motions.VX] - m[a + Motions.VX])
+                + directionY(id) * (m[b + Motions.VY] - m[a + Motions.VY])
+                + leverB(id) * m[b + Motions.SPIN]
+                - leverA(id) * m[a + Motions.SPIN];
     }
 
     /** Applies an impulse along a row to columns laid out as the motions. */
-    public void push(double[] m, int id, double impulse, int ix, int iy, int turn) {
+    public void push(double[] m, int id, double impulse) {
         int row = id / ROWS_PER_CONTACT;
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
         double ma = m[a + Motions.INVERSE_MASS] * impulse;
         double mb = m[b + Motions.INVERSE_MASS] * impulse;
-        m[a + ix] -= ma * directionX(id);
-        m[a + iy] -= ma * directionY(id);
-        m[a + turn] -= m[a + Motions.INVERSE_INERTIA] * leverA(id) * impulse;
-        m[b + ix] += mb * directionX(id);
-        m[b + iy] += mb * directionY(id);
-        m[b + turn] += m[b + Motions.INVERSE_INERTIA] * leverB(id) * impulse;
+        m[a + Motions.VX] -= ma * directionX(id);
+        m[a + Motions.VY] -= ma * directionY(id);
+        m[a + Motions.SPIN] -= m[a + Motions.INVERSE_INERTIA] * leverA(id) * impulse;
+        m[b + Motions.VX] += mb * directionX(id);
+        m[b + Motions.VY] += mb * directionY(id);
+        m[b + Motions.SPIN] += m[b + Motions.INVERSE_INERTIA] * leverB(id) * impulse;
     }
 
     /** Column of a row's impulse, relative to its contact's first one. */

@@ -31,7 +31,6 @@ public final class DirectSolver {
     /** Most sets of rows tried in one solve, per substep of the accuracy; passes solve the rest. */
     private static final int TRIES_PER_SUBSTEP = 8;
 
-    private final Motions motions;
     private final PackedContacts contacts;
     private final FlatRows rows;
     private final ContactOrder order;
@@ -72,7 +71,6 @@ public final class DirectSolver {
     /** A solver whose number of tries grows with the number of substeps. */
     public DirectSolver(
             Motions motions, PackedContacts contacts, OverlapSolver overlap, int substeps) {
-        this.motions = motions;
         this.contacts = contacts;
         order = new ContactOrder(motions, contacts);
         rows = new FlatRows(motions, contacts, order);

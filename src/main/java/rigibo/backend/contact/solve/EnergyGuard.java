@@ -39,7 +39,7 @@ public final class EnergyGuard {
     public EnergyGuard(Motions motions, PackedContacts contacts) {
         this.motions = motions;
         this.contacts = contacts;
-        single = new SingleRows(motions, contacts);
+        single = new SingleRows(contacts);
     }
 
     /** Stores the kinetic energy before contacts are solved. */
@@ -96,7 +96,7 @@ public final class EnergyGuard {
         for (int id = 0; id < ROWS_PER_CONTACT * contacts.count; id++) {
             double impulse = impulse(id);
             if (impulse != 0) {
-                single.push(before, id, -impulse, Motions.VX, Motions.VY, Motions.SPIN);
+                single.push(before, id, -impulse);
             }
         }
         for (int row = 0; row < contacts.count; row++) {
@@ -167,7 +167,7 @@ public final class EnergyGuard {
     private void scale(int row, double share) {
         for (int id = ROWS_PER_CONTACT * row; id < ROWS_PER_CONTACT * (row + 1); id++) {
             double less = (share - 1) * impulse(id);
-            single.push(motions.data, id, less, Motions.VX, Motions.VY, Motions.SPIN);
+            single.push(motions.data, id, less);
         }
         turn(motions.data, row, (share - 1) * rolling(row));
         contacts.scaleImpulses(row, share);
@@ -201,7 +201,7 @@ public final class EnergyGuard {
         for (int id = 0; id < ROWS_PER_CONTACT * contacts.count; id++) {
             double impulse = impulse(id);
             if (impulse != 0) {
-                double speed = single.relative(m, id, Motions.VX, Motions.VY, Motions.SPIN);
+                double speed = single.relative(m, id);
                 sum += impulse * (speed - single.running(id));
             }
         }

@@ -120,7 +120,7 @@ final class FalseLeads {
             return false;
         }
         boolean isAllClicked = trial.game().outcome() == Outcome.LOST;
-        OrderSearch search = new OrderSearch(level, Accuracy.GAME, games);
+        OrderSearch search = new OrderSearch(level, games);
         return isAllClicked || !search.winsAfter(clicks, trial.game().steps());
     }
 

@@ -1,6 +1,5 @@
 package rigibo.frontend.puzzle.check;
 
-import rigibo.backend.setup.Accuracy;
 import rigibo.frontend.document.Fault;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.puzzle.level.LoadedLevel;
@@ -124,7 +123,7 @@ final class LevelCheck {
      * not as a proof.
      */
     private void orders() {
-        OrderSearch.Found found = new OrderSearch(level, Accuracy.GAME, games).search();
+        OrderSearch.Found found = new OrderSearch(level, games).search();
         found.shorter()
                 .ifPresentOrElse(
                         clicks ->

@@ -39,10 +39,10 @@ final class OrderSearch {
     private final Branches branches;
     private final int cooldown;
 
-    OrderSearch(Level level, Accuracy accuracy, Games games) {
+    OrderSearch(Level level, Games games) {
         this.level = level;
         this.games = games;
-        branches = new Branches(level, accuracy, games);
+        branches = new Branches(level, Accuracy.GAME, games);
         cooldown = Steps.of(level.limits().cooldown());
     }
 

@@ -61,7 +61,7 @@ public final class Sieve {
         if (par < LEAST_PAR || par > MOST_PAR || !isSound(level, solution)) {
             return Optional.empty();
         }
-        OrderSearch.Found found = new OrderSearch(level, Accuracy.GAME, games).search(MOST_WINS);
+        OrderSearch.Found found = new OrderSearch(level, games).search(MOST_WINS);
         boolean isPuzzle = found.shorter().isEmpty() && found.wins().value() <= MOST_WINS;
         return isPuzzle ? Optional.of(figures(level, solution, found)) : Optional.empty();
     }

@@ -81,9 +81,10 @@ final class Hud {
     void draw(Canvas canvas, Words words, Session session, Refusal refusal, Motion motion) {
         double right = drawRight(canvas, words, session, refusal, motion);
         String title = level.title().in(words.locale());
-        text(canvas, title, LEFT, TITLE_SIZE, Canvas.Align.LEFT, Color.BRASS);
+        text(canvas, title, LEFT, TITLE_SIZE, Color.BRASS);
         double left = LEFT + canvas.textWidth(title, TITLE_SIZE, Canvas.Font.WORDS) + GAP;
-        state(words, session, refusal).ifPresent(state -> drawBetween(canvas, state, left, right));
+        message(words, session, refusal, late(words, session))
+                .ifPresent(message -> drawBetween(canvas, message, left, right));
     }
 
     /** Draws the bar with buttons in place of the title, during a pause. */
@@ -121,10 +122,7 @@ final class Hud {
             Refusal refusal,
             Motion motion) {
         inHand = bar;
-        Optional<String> said =
-                session.isShowing()
-                        ? Optional.of(shown(words, session))
-                        : state(words, session, refusal);
+        Optional<String> said = message(words, session, refusal, late(words, session));
         handBar.draw(canvas, bar, words, session.game(), said, refusal, motion);
     }
 
@@ -132,7 +130,7 @@ final class Hud {
     private static void drawBetween(Canvas canvas, String state, double left, double right) {
         double width = canvas.textWidth(state, WORDS_SIZE, Canvas.Font.WORDS);
         if (left + width + GAP <= right) {
-            text(canvas, state, left, WORDS_SIZE, Canvas.Align.LEFT, Color.TEXT);
+            text(canvas, state, left, WORDS_SIZE, Color.TEXT);
         }
     }
 
@@ -177,22 +175,20 @@ final class Hud {
     }
 
     /**
-     * The state of the game; of several messages the most urgent one. A lesson and the task of a
-     * level go before the machine's lateness, for slow machines are late all the time.
+     * The state of the game, or the show; of several messages the most urgent one. A lesson and the
+     * task of a level go before the machine's lateness, for slow machines are late all the time.
      */
-    private Optional<String> state(Words words, Session session, Refusal refusal) {
-        return refused(words, refusal)
-                .or(() -> taught(words, session))
-                .or(() -> late(words, session))
+    private Optional<String> message(
+            Words words, Session session, Refusal refusal, Optional<String> late) {
+        if (session.isShowing()) {
+            return Optional.of(shown(words, session));
+        }
+        return refusal.reason()
+                .map(why -> "puzzle.refused." + key(why))
+                .or(() -> lesson.words(session.game()))
+                .map(words::of)
+                .or(() -> late)
                 .or(() -> keyOfState(session).map(words::of));
-    }
-
-    private Optional<String> taught(Words words, Session session) {
-        return lesson.words(session.game()).map(words::of);
-    }
-
-    private static Optional<String> refused(Words words, Refusal refusal) {
-        return refusal.reason().map(why -> words.of("puzzle.refused." + key(why)));
     }
 
     private static String shown(Words words, Session session) {
@@ -204,14 +200,7 @@ final class Hud {
      * change too often.
      */
     void describe(Narrator narrator, Words words, Session session, Refusal refusal) {
-        if (session.isShowing()) {
-            narrator.says(shown(words, session));
-        } else {
-            refused(words, refusal)
-                    .or(() -> taught(words, session))
-                    .or(() -> keyOfState(session).map(words::of))
-                    .ifPresent(narrator::says);
-        }
+        message(words, session, refusal, Optional.empty()).ifPresent(narrator::says);
     }
 
     private Optional<String> late(Words words, Session session) {
@@ -246,8 +235,7 @@ final class Hud {
         return Command.key(constant);
     }
 
-    private static void text(
-            Canvas canvas, String words, double x, double size, Canvas.Align align, Color color) {
-        canvas.text(words, x, MIDDLE, size, Canvas.Font.WORDS, align, color);
+    private static void text(Canvas canvas, String words, double x, double size, Color color) {
+        canvas.text(words, x, MIDDLE, size, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
     }
 }

@@ -50,9 +50,9 @@ public final class ReplayBar {
     public void draw(Canvas canvas, Words words, PuzzleGame game, String state) {
         canvas.panel(EDGE, EDGE, INNER, HEIGHT, 14, Color.PANEL);
         String title = recording.level().title().in(words.locale());
-        text(canvas, title, LEFT, MIDDLE, TITLE_SIZE, Color.BRASS);
+        text(canvas, title, LEFT, TITLE_SIZE, Color.BRASS);
         double left = LEFT + canvas.textWidth(title, TITLE_SIZE, Canvas.Font.WORDS) + GAP;
-        text(canvas, state, left, MIDDLE, WORDS_SIZE, Color.TEXT);
+        text(canvas, state, left, WORDS_SIZE, Color.TEXT);
         canvas.text(
                 Counts.counts(words, recording.level().limits(), game),
                 RIGHT,
@@ -128,8 +128,7 @@ public final class ReplayBar {
         VerdictPlate.draw(canvas, words, verdict, end);
     }
 
-    private static void text(
-            Canvas canvas, String words, double x, double y, double size, Color color) {
-        canvas.text(words, x, y, size, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
+    private static void text(Canvas canvas, String words, double x, double size, Color color) {
+        canvas.text(words, x, MIDDLE, size, Canvas.Font.WORDS, Canvas.Align.LEFT, color);
     }
 }

@@ -56,7 +56,7 @@ final class StarStamp {
         double y = places.y(place);
         if (isSeen()) {
             double scale = isEarnedNow ? MedalStamps.scale(turns - DUE, motion) : 1;
-            Sign.star(canvas, x, y, 1.2 * MedalStamps.RADIUS * scale, Color.BRASS);
+            Sign.star(canvas, x, y, 1.2 * MedalStamps.RADIUS * scale);
         } else {
             Sign.outlinedStar(canvas, x, y, 1.1 * MedalStamps.RADIUS, 2, Color.EDGE);
             Print.centred(canvas, "?", x, y + 2, 20, Color.TEXT_DIM);

@@ -16,9 +16,6 @@ import java.util.Optional;
  */
 public record Handling(Optional<Verb> verb, boolean isOn, Optional<Charge> charge) {
 
-    /** Nothing happens at a click. */
-    static final Handling NONE = new Handling(Optional.empty(), true, Optional.empty());
-
     /**
      * The blast of a bomb; see the engine's {@code Explosion}.
      *

@@ -7,7 +7,4 @@ package rigibo.frontend.puzzle.level;
  * @param y m/s, up
  * @param spin rad/s, counter-clockwise
  */
-public record Motion(double x, double y, double spin) {
-
-    public static final Motion NONE = new Motion(0, 0, 0);
-}
+public record Motion(double x, double y, double spin) {}

@@ -197,11 +197,10 @@ public final class AccuracyBar {
         pointerY = py;
     }
 
-    /** The pointer went down; returns whether on the bar. */
-    public boolean pointerPressed(double px, double py) {
+    /** The pointer went down. */
+    public void pointerPressed(double px, double py) {
         pointerMoved(px, py);
         dial.at(px, py).ifPresent(this::choose);
-        return contains(px, py);
     }
 
     /** Turns the dial; the scene goes on from its present state. */

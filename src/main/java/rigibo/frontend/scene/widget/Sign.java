@@ -62,14 +62,14 @@ public final class Sign {
     }
 
     /**
-     * A star with five tips, filled by outlines that lie on each other.
+     * A star of brass with five tips, filled by outlines that lie on each other.
      *
      * @param radius from its middle to a tip, px
      */
-    public static void star(Canvas canvas, double x, double y, double radius, Color color) {
+    public static void star(Canvas canvas, double x, double y, double radius) {
         double width = 0.22 * radius;
         for (double rest = radius - width / 2; rest > 0; rest -= 0.8 * width) {
-            outlinedStar(canvas, x, y, rest, width, color);
+            outlinedStar(canvas, x, y, rest, width, Color.BRASS);
         }
     }
 }

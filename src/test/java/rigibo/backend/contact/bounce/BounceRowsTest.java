@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.RowBuilder;
 import rigibo.backend.contact.row.StoredIsland;
@@ -25,7 +24,6 @@ class BounceRowsTest {
 
     private final StoredIsland island =
             new StoredIsland(Effects.of(new Contacts(), new Restitution()));
-    private final Motions motions = island.motions;
     private final PackedContacts contacts = island.contacts;
     private final RowBuilder builder = island.builder;
     private final BounceRows bounces = new BounceRows(island.data, contacts);

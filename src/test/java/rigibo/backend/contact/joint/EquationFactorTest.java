@@ -87,16 +87,16 @@ class EquationFactorTest {
 
     private void isSolved(EquationFactor factor, SplittableRandom random) {
         double[] asked = new double[rows.count];
-        factor.begin();
+        factor.changeAll();
         for (int i = 0; i < rows.count; i++) {
             asked[i] = random.nextDouble(-1, 1);
             rows.give[i] = 1e-3;
         }
-        factor.begin();
+        factor.changeAll();
         for (int e = 0; e < rows.count; e++) {
             factor.ask(e, asked[factor.equations().row[e]]);
         }
-        factor.solve();
+        solve(factor);
         double[] truth = dense(asked);
         for (int e = 0; e < rows.count; e++) {
             double scale = 1 + Math.abs(truth[factor.equations().row[e]]);
@@ -204,6 +204,12 @@ class EquationFactorTest {
         }
     }
 
+    private static void solve(EquationFactor factor) {
+        for (int group = 0; group < factor.tree().groups; group++) {
+            factor.solve(group);
+        }
+    }
+
     /** Twice the joints on one body take at most 2.2 times the work and the room. */
     @ParameterizedTest(name = "{0} joints")
     @ValueSource(ints = {200, 800})
@@ -223,8 +229,8 @@ class EquationFactorTest {
         }
         EquationFactor factor = new EquationFactor(motions, rows);
         factor.layOut();
-        factor.begin();
-        factor.solve();
+        factor.changeAll();
+        solve(factor);
         return factor;
     }
 
@@ -248,8 +254,8 @@ class EquationFactorTest {
         }
         EquationFactor factor = new EquationFactor(motions, rows);
         factor.layOut();
-        factor.begin();
-        factor.solve();
+        factor.changeAll();
+        solve(factor);
         return factor.takeWork();
     }
 }

@@ -37,7 +37,7 @@ class GroupVelocitiesTest {
             rows.finish(row);
         }
         factor.layOut();
-        factor.begin();
+        factor.changeAll();
         velocities.begin();
     }
 

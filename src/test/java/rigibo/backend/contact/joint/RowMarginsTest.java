@@ -50,7 +50,7 @@ class RowMarginsTest {
 
     private void begin() {
         factor.layOut();
-        factor.begin();
+        factor.changeAll();
         responses.begin();
         margins.list();
         margins.begin();

@@ -140,11 +140,6 @@ public final class DenseRows {
         impulsesBefore = impulses();
     }
 
-    /** The recorded velocities. */
-    public double[] before() {
-        return velocitiesBefore;
-    }
-
     /** Asserts that since the record velocities have changed by the changes of impulses alone. */
     public void assertImpulsesTellAll(double tolerance) {
         double[] impulses = impulses();

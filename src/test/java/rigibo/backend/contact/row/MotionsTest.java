@@ -81,7 +81,7 @@ class MotionsTest {
     @Test
     void singleRowsAreTheRowsOfContacts() {
         SplittableRandom random = new SplittableRandom(2);
-        SingleRows single = new SingleRows(motions, contacts);
+        SingleRows single = new SingleRows(contacts);
         for (int i = 0; i < 100; i++) {
             island.bodies(random, 3);
             island.contact(random, 0, 1);
@@ -89,12 +89,11 @@ class MotionsTest {
             island.run(row, 0.7);
             for (int kind = 0; kind < SingleRows.ROWS_PER_CONTACT; kind++) {
                 int id = SingleRows.ROWS_PER_CONTACT * row + kind;
-                double speed =
-                        single.relative(motions.data, id, Motions.VX, Motions.VY, Motions.SPIN);
+                double speed = single.relative(motions.data, id);
                 assertThat(speed).isCloseTo(dense.speed(row, kind), within(ROUND_OFF));
                 assertThat(single.running(id)).isEqualTo(kind == SingleRows.TANGENT ? 0.7 : 0);
                 double[] before = dense.velocities();
-                single.push(motions.data, id, 0.3, Motions.VX, Motions.VY, Motions.SPIN);
+                single.push(motions.data, id, 0.3);
                 double[] unit = new double[DenseRows.KINDS * contacts.count];
                 unit[DenseRows.KINDS * row + kind] = 0.3;
                 double[] change = dense.change(unit);

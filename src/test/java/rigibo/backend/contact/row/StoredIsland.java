@@ -2,6 +2,7 @@ package rigibo.backend.contact.row;
 
 import rigibo.backend.Pool;
 import rigibo.backend.PoolStorage;
+import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
@@ -49,6 +50,17 @@ public final class StoredIsland {
     /** An island without bodies, with contacts and rotation. */
     public static StoredIsland turning() {
         return new StoredIsland(Effects.of(new Contacts(), new Rotation()));
+    }
+
+    /** Measures the island's contacts again. */
+    FreshRows fresh() {
+        return new FreshRows(
+                data,
+                new Narrowphase(data),
+                motions,
+                contacts,
+                builder,
+                new SharedRows(null, contacts));
     }
 
     /** Adds a body, to the island if it is dynamic; returns its slot. */

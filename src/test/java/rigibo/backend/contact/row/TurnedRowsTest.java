@@ -8,7 +8,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-import rigibo.backend.collision.Narrowphase;
 import rigibo.backend.geometry.Capsule;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Convex;
@@ -28,14 +27,7 @@ class TurnedRowsTest {
     private final Motions motions = island.motions;
     private final PackedContacts contacts = island.contacts;
     private final RowBuilder builder = island.builder;
-    private final FreshRows fresh =
-            new FreshRows(
-                    island.data,
-                    new Narrowphase(island.data),
-                    motions,
-                    contacts,
-                    builder,
-                    new SharedRows(null, contacts));
+    private final FreshRows fresh = island.fresh();
     private final TurningRows turning =
             new TurningRows(
                     island.data,

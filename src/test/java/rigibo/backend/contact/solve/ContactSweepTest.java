@@ -29,14 +29,18 @@ class ContactSweepTest {
     private final PackedIsland island = new PackedIsland();
     private final Motions motions = island.motions;
     private final PackedContacts contacts = island.contacts;
-    private final ContactSweep sweep =
-            new ContactSweep(
-                    new Bodies(Effects.of(new Contacts())),
-                    motions,
-                    contacts,
-                    new NoRubbing(),
-                    true,
-                    new SharedRows(null, contacts));
+    private final ContactSweep sweep = sweep(island, true);
+
+    /** Passes over an island; as a block, both points of a contact are solved at once. */
+    static ContactSweep sweep(PackedIsland island, boolean isBlock) {
+        return new ContactSweep(
+                new Bodies(Effects.of(new Contacts())),
+                island.motions,
+                island.contacts,
+                new NoRubbing(),
+                isBlock,
+                new SharedRows(null, island.contacts));
+    }
 
     /** w ≥ 0, j ≥ 0, w·j = 0 for both points, in each of the four cases. */
     @Test

@@ -10,7 +10,6 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedIsland;
 import rigibo.backend.contact.row.Recovery;
-import rigibo.backend.contact.row.SharedRows;
 import rigibo.backend.effect.Contacts;
 import rigibo.backend.effect.Effects;
 import rigibo.backend.effect.Rotation;
@@ -40,14 +39,7 @@ class DirectSolverTest {
     private final OverlapSolver overlap =
             new OverlapSolver(bodies, motions, contacts, Accuracy.GAME);
     private final DirectSolver direct = new DirectSolver(motions, contacts, overlap, 16);
-    private final ContactSweep sweep =
-            new ContactSweep(
-                    new Bodies(Effects.of(new Contacts())),
-                    motions,
-                    contacts,
-                    new NoRubbing(),
-                    true,
-                    new SharedRows(null, contacts));
+    private final ContactSweep sweep = ContactSweepTest.sweep(island, true);
 
     /** A chain from the ground with some more contacts, gaps, and earlier loads. */
     private void heap(SplittableRandom random, int count, double friction) {

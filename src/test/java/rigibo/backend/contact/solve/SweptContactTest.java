@@ -11,10 +11,6 @@ import rigibo.backend.contact.row.DenseRows;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedIsland;
-import rigibo.backend.contact.row.SharedRows;
-import rigibo.backend.effect.Contacts;
-import rigibo.backend.effect.Effects;
-import rigibo.backend.storage.Bodies;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
@@ -29,14 +25,7 @@ class SweptContactTest {
     private final Motions motions = island.motions;
     private final PackedContacts contacts = island.contacts;
     private final DenseRows dense = new DenseRows(island);
-    private final ContactSweep sweep =
-            new ContactSweep(
-                    new Bodies(Effects.of(new Contacts())),
-                    motions,
-                    contacts,
-                    new NoRubbing(),
-                    true,
-                    new SharedRows(null, contacts));
+    private final ContactSweep sweep = ContactSweepTest.sweep(island, true);
 
     /** A contact with all properties, and with earlier impulses. */
     private int contact(SplittableRandom random, int a, int b) {
@@ -120,14 +109,7 @@ class SweptContactTest {
     @Test
     void pointsInTurnAreSolvedInTurn() {
         SplittableRandom random = new SplittableRandom(3);
-        ContactSweep inTurn =
-                new ContactSweep(
-                        new Bodies(Effects.of(new Contacts())),
-                        motions,
-                        contacts,
-                        new NoRubbing(),
-                        false,
-                        new SharedRows(null, contacts));
+        ContactSweep inTurn = ContactSweepTest.sweep(island, false);
         for (int i = 0; i < 1_000; i++) {
             island.bodies(random, 2);
             int row = contact(random, 1, 2);

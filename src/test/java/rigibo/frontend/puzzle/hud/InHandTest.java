@@ -3,6 +3,8 @@ package rigibo.frontend.puzzle.hud;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import static rigibo.frontend.scene.Pointing.touch;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -37,21 +39,15 @@ class InHandTest {
         return Legibility.HANDS;
     }
 
-    private void touch(Layout layout, String words) {
-        double[] at = RecordingCanvas.of(scene, layout).middleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
-        scene.pointerReleased(PointerButton.LEFT, at[0], at[1]);
-    }
-
     @ParameterizedTest
     @MethodSource("hands")
     void theButtonsPauseAndLeadOut(Layout layout) {
-        touch(layout, "Pause");
+        touch(scene, layout, "Pause");
         assertThat(RecordingCanvas.of(scene, layout).texts()).contains("Resume");
-        touch(layout, "Resume");
+        touch(scene, layout, "Resume");
         assertThat(RecordingCanvas.of(scene, layout).texts()).contains("Pause");
-        touch(layout, "Levels");
-        touch(layout, "Menu");
+        touch(scene, layout, "Levels");
+        touch(scene, layout, "Menu");
         assertThat(director.asked).containsExactly("levels", "menu");
     }
 

@@ -2,6 +2,8 @@ package rigibo.frontend.puzzle.hud;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static rigibo.frontend.scene.Pointing.click;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -44,11 +46,6 @@ class PuzzleExperimentTest {
 
     private static List<String> texts(Scene scene) {
         return RecordingCanvas.of(scene).texts();
-    }
-
-    private void click(String words) {
-        double[] at = RecordingCanvas.of(scene).middleOf(words);
-        scene.pointerPressed(PointerButton.LEFT, at[0], at[1]);
     }
 
     /** Deletes the box below the ball by keys, and waits. */
@@ -106,7 +103,7 @@ class PuzzleExperimentTest {
     @Test
     void aLevelThatIsSolvedInAnExperimentEarnsNothingAndSaysSo() {
         scene.keyPressed(Key.E);
-        click("sleep");
+        click(scene, "sleep");
         scene.keyPressed(Key.E);
         solve();
         assertThat(texts(scene))
@@ -125,8 +122,8 @@ class PuzzleExperimentTest {
     @Test
     void anExperimentStaysOneWhenTheEffectIsSwitchedBack() {
         scene.keyPressed(Key.E);
-        click("sleep");
-        click("sleep");
+        click(scene, "sleep");
+        click(scene, "sleep");
         scene.keyPressed(Key.E);
         solve();
         assertThat(texts(scene)).contains(NOT_COUNTED);
@@ -135,7 +132,7 @@ class PuzzleExperimentTest {
     @Test
     void restartEndsTheExperiment() {
         scene.keyPressed(Key.E);
-        click("gravity");
+        click(scene, "gravity");
         assertThat(RecordingCanvas.of(scene).plateOf("gravity")).isEqualTo(Color.PANEL_LIT);
         scene.keyPressed(Key.R);
         assertThat(RecordingCanvas.of(scene).plateOf("gravity")).isEqualTo(Color.BRASS);

@@ -11,6 +11,16 @@ import java.util.regex.Pattern;
 /** Verbs of level files that are not possible. */
 class VerbErrorsTest {
 
+    private static void isTold(String level, String part, String replacement, String told) {
+        String text =
+                level.replaceFirst(
+                        Pattern.quote(part.replace('\'', '"')),
+                        replacement == null ? "" : replacement.replace('\'', '"'));
+        assertThat(text).isNotEqualTo(level);
+        assertThat(LevelTexts.problems(text))
+                .anyMatch(line -> line.contains(told.replace('\'', '"')));
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = ';',
@@ -21,13 +31,7 @@ class VerbErrorsTest {
                 "'click': 'cut'; 'click': 'snip'; 'snip' is not one of cut, pull",
             })
     void aClickThatDoesNotFitIsTold(String part, String replacement, String told) {
-        String text =
-                VerbLevels.ROPE.replace(
-                        part.replace('\'', '"').strip() + (part.endsWith(" ") ? " " : ""),
-                        replacement == null ? "" : replacement.replace('\'', '"'));
-        assertThat(text).isNotEqualTo(VerbLevels.ROPE);
-        assertThat(LevelTexts.problems(text))
-                .anyMatch(line -> line.contains(told.replace('\'', '"')));
+        isTold(VerbLevels.ROPE, part, replacement, told);
     }
 
     @ParameterizedTest
@@ -44,13 +48,7 @@ class VerbErrorsTest {
                 ", 'motor': {'speed': 4, 'most': 1000}; ; E124 a click cannot switch a joint",
             })
     void aMachineThatCannotWorkIsTold(String part, String replacement, String told) {
-        String text =
-                VerbLevels.MACHINES.replace(
-                        part.replace('\'', '"').strip(),
-                        replacement == null ? "" : replacement.replace('\'', '"'));
-        assertThat(text).isNotEqualTo(VerbLevels.MACHINES);
-        assertThat(LevelTexts.problems(text))
-                .anyMatch(line -> line.contains(told.replace('\'', '"')));
+        isTold(VerbLevels.MACHINES, part, replacement, told);
     }
 
     @ParameterizedTest
@@ -64,13 +62,7 @@ class VerbErrorsTest {
                 "'reach': 8; 'reach': 0; must be 0.05 or more",
             })
     void aFanOrMagnetThatCannotBeIsTold(String part, String replacement, String told) {
-        String text =
-                VerbLevels.SOURCES.replaceFirst(
-                        Pattern.quote(part.replace('\'', '"').strip()),
-                        replacement.replace('\'', '"'));
-        assertThat(text).isNotEqualTo(VerbLevels.SOURCES);
-        assertThat(LevelTexts.problems(text))
-                .anyMatch(line -> line.contains(told.replace('\'', '"')));
+        isTold(VerbLevels.SOURCES, part, replacement, told);
     }
 
     @Test
