@@ -55,7 +55,7 @@ record DeskPlaces(
     /** Between the window's edge, plates and the draft, px. */
     private static final double EDGE = 4;
 
-    private static final double GAP = 6;
+    static final double GAP = 6;
 
     /** Between the chips of the effects and the lines below them on the sheet, px. */
     private static final double CHIPS_GAP = 3;
@@ -72,6 +72,9 @@ record DeskPlaces(
     private static final double NARROWEST = 230;
 
     private static final double WIDEST = 330;
+
+    /** Height of the status in a column where problems have room enough, px. */
+    private static final double STATUS = 212;
 
     /** Widest list over the draft, and its least distance from the draft's edges, px. */
     private static final double WIDEST_LIST = 460;
@@ -119,8 +122,9 @@ record DeskPlaces(
         double rows = Bar.height(pane, new Area(0, 0, inner, ROW), buttons);
         Area commands = left.resized(rows + LINE + 2 * MARGIN);
         Area tools = commands.below(GAP, ToolPane.heightInRows(pane, inner) + 2 * MARGIN);
-        Area problems = tools.below(GAP, PROBLEMS.height());
         double bottom = draft.bottom() - EDGE;
+        double rest = bottom - tools.bottom() - 2 * GAP;
+        Area problems = tools.below(GAP, Math.max(PROBLEMS.height(), rest - STATUS));
         Area status = problems.below(GAP, bottom - problems.bottom() - GAP);
         Area right = new Area(draft.right() + GAP, left.y(), left.width(), bottom - left.y());
         double chips = EffectPane.height(pane, right.inset(MARGIN)) + 2 * MARGIN;

@@ -121,7 +121,8 @@ final class Panes {
 
     private void status() {
         Area area = places.status();
-        Area below = area.lowered(remark(area) - area.y());
+        double gap = places.isBeside() ? DeskPlaces.GAP : 0;
+        Area below = area.lowered(remark(area) + gap - area.y());
         Optional<Finding> finding = pointedAt.or(this::findingUnderPointer);
         Optional<String> told = told();
         if (finding.isPresent()) {

@@ -4,7 +4,6 @@ import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.widget.Lines;
 
-import java.util.Iterator;
 import java.util.List;
 
 /** Buttons in a row, each as wide as its name; those that do not fit begin another row below. */
@@ -42,15 +41,13 @@ public final class Bar {
         return bar.row.bottom() - first.y();
     }
 
-    /** Words before the buttons. */
+    /** Words before the buttons, which begin a row of their own where one line is too short. */
     public void words(String sentence, Color ink) {
         double room = row.width() - pane.width("");
-        Iterator<String> lines =
-                Lines.of(pane.canvas(), sentence, Pane.TEXT, Canvas.Font.WORDS, room).iterator();
-        while (lines.hasNext()) {
-            String line = lines.next();
+        List<String> lines = Lines.of(pane.canvas(), sentence, Pane.TEXT, Canvas.Font.WORDS, room);
+        for (String line : lines) {
             pane.text(place(pane.width(line)), line, Canvas.Align.LEFT, ink);
-            if (lines.hasNext()) {
+            if (lines.size() > 1) {
                 next();
             }
         }

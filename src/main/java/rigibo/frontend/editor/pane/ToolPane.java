@@ -35,15 +35,16 @@ public final class ToolPane {
      */
     public static void drawInRows(
             Pane pane, Area area, Desk desk, Craft taken, Consumer<Craft> take) {
-        Grid bodies = rows(pane, area, BODIES);
+        Grid bodies = rows(pane, area, BODIES, SIZE);
         Area below = area.lowered(bodies.height(BODIES) + GAP);
-        Grid joints = rows(pane, below, JOINTS);
+        Grid joints = rows(pane, below, JOINTS, SIZE);
         for (Craft craft : Craft.values()) {
             int at = craft.ordinal();
             Area place = Area.of(at < BODIES ? bodies.place(at) : joints.place(at - BODIES));
             tool(pane, place, craft, craft == taken, () -> take.accept(craft));
         }
-        Grid materials = rows(pane, below.lowered(joints.height(JOINTS) + GAP), MATERIALS);
+        Area last = below.lowered(joints.height(JOINTS) + GAP);
+        Grid materials = rows(pane, last, MATERIALS, SWATCH);
         for (Substance substance : Substance.values()) {
             swatch(pane, Area.of(materials.place(substance.ordinal())), desk, substance);
         }
@@ -52,16 +53,16 @@ public final class ToolPane {
     /** Height of the rows for a given width, px. */
     public static double heightInRows(Pane pane, double width) {
         Area area = new Area(0, 0, width, 0);
-        double height = -GAP;
-        for (int places : new int[] {BODIES, JOINTS, MATERIALS}) {
-            height += rows(pane, area, places).height(places) + GAP;
-        }
-        return height;
+        return rows(pane, area, BODIES, SIZE).height(BODIES)
+                + GAP
+                + rows(pane, area, JOINTS, SIZE).height(JOINTS)
+                + GAP
+                + rows(pane, area, MATERIALS, SWATCH).height(MATERIALS);
     }
 
     /** A number of places in as few rows as an area has room for, all about as long. */
-    private static Grid rows(Pane pane, Area area, int places) {
-        double side = pane.pressable(SIZE);
+    private static Grid rows(Pane pane, Area area, int places, double size) {
+        double side = pane.pressable(size);
         int most = (int) ((area.width() + GAP) / (side + GAP));
         int rows = (places + most - 1) / most;
         int columns = (places + rows - 1) / rows;
