@@ -132,10 +132,11 @@ final class EditorScene implements Scene {
         isInHand = canvas.layout().isInHand();
         Pane pane = new Pane(canvas, spots, shop.words(), pointerX, pointerY);
         shop.desk().finger(canvas.layout().touch().least());
+        Panes panes = new Panes(shop, pane, findings);
         if (isInHand) {
             hand.makeRoom(pane, findings);
         } else {
-            shop.view().see(View.DRAFT, View.DRAFT);
+            panes.makeRoom();
         }
         spots.clear();
         DeskView.draw(canvas, shop.desk(), findings);
@@ -143,7 +144,7 @@ final class EditorScene implements Scene {
         if (isInHand) {
             hand.draw(pane, findings);
         } else {
-            Panes.draw(shop, pane, findings);
+            panes.draw();
         }
     }
 

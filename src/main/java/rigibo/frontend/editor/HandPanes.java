@@ -14,7 +14,6 @@ import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.widget.Grid;
-import rigibo.frontend.scene.widget.Lines;
 import rigibo.frontend.scene.widget.Plate;
 
 import java.util.ArrayList;
@@ -85,7 +84,7 @@ final class HandPanes {
         Area inner = places.drawer().inset(MARGIN);
         double height =
                 switch (leaf) {
-                    case BUILD -> ToolPane.heightInHand(pane, inner.width());
+                    case BUILD -> ToolPane.heightInRows(pane, inner.width());
                     case EFFECTS -> EffectPane.height(pane, inner);
                     case MORE -> entries(pane, inner).height(entries().size());
                     case PROBLEMS -> ProblemPane.height(pane, findings.size());
@@ -163,7 +162,7 @@ final class HandPanes {
         switch (leaf) {
             case BUILD -> {
                 pane.plate(area);
-                ToolPane.drawInHand(pane, inner, shop.desk(), shop.craft(), this::take);
+                ToolPane.drawInRows(pane, inner, shop.desk(), shop.craft(), this::take);
             }
             case FIELDS -> FieldPane.draw(pane, area, shop.desk(), shop.typing(), pages);
             case EFFECTS -> {
@@ -234,19 +233,7 @@ final class HandPanes {
         Color ink = shop.remark().isEmpty() ? Color.TEXT_DIM : Color.BRASS;
         Optional<String> told = told(pane, findings);
         String sentence = told.orElseGet(() -> shop.remark().isEmpty() ? hint() : shop.remark());
-        List<String> lines =
-                Lines.of(pane.canvas(), sentence, 16, Canvas.Font.WORDS, area.width() - MARGIN);
-        int fitting = Math.min(lines.size(), (int) (area.height() / EditorPlaces.LINE));
-        for (int i = 0; i < fitting; i++) {
-            double y = area.y() + i * EditorPlaces.LINE;
-            Area line = new Area(area.x(), y, area.width(), EditorPlaces.LINE);
-            boolean isCut = i == fitting - 1 && fitting < lines.size();
-            pane.text(
-                    line,
-                    isCut ? lines.get(i) + "…" : lines.get(i),
-                    Canvas.Align.LEFT,
-                    told.isPresent() ? Color.TEXT : ink);
-        }
+        pane.lines(area, EditorPlaces.LINE, sentence, told.isPresent() ? Color.TEXT : ink);
     }
 
     private void zoom(Pane pane, Area place, String key, String sign, double factor) {

@@ -7,26 +7,18 @@ import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.scene.Camera;
 import rigibo.frontend.scene.Scene;
 
-/** The layout of the desk, and how much of the draft is seen. */
+/** How much of the draft is seen. */
 final class View {
 
-    static final Area TOP = new Area(4, 4, 712, 44);
-    static final Area TOOLS = new Area(4, 54, 96, 602);
-    static final Area FIELDS = new Area(486, 54, 230, 458);
-    static final Area PROBLEMS = new Area(486, 518, 230, 138);
-    static final Area FOOT = new Area(4, 662, 712, 134);
-
-    /** The part of the window that the panes leave to the draft. */
-    static final Area DRAFT = new Area(104, 54, 378, 602);
-
-    private static final double MARGIN = 8;
+    /** Around the draft when all of it is seen, px. */
+    static final double MARGIN = 8;
 
     private final Desk desk;
 
     /** The part of the window that is left to the draft, and that with nothing else open. */
-    private Area seen = DRAFT;
+    private Area seen = DeskPlaces.DRAFT;
 
-    private Area whole = DRAFT;
+    private Area whole = DeskPlaces.DRAFT;
 
     /** The view of a desk. */
     View(Desk desk) {
@@ -60,8 +52,13 @@ final class View {
     }
 
     static Camera camera(Draft draft) {
+        return camera(draft, DeskPlaces.DRAFT);
+    }
+
+    /** A camera that shows all of a draft in a part of the window. */
+    static Camera camera(Draft draft, Area part) {
         Camera camera = Camera.ofPuzzle();
-        home(camera, draft, DRAFT);
+        home(camera, draft, part);
         return camera;
     }
 

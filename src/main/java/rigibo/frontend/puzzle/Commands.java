@@ -83,7 +83,7 @@ final class Commands {
             case COPY -> copy();
             case WHOLE -> view.showAll();
             case STOP -> session.stopShow();
-            case NEXT -> sequel.next().ifPresent(next -> director.show(next.get()));
+            case NEXT, ENDLESS -> sequel.next().ifPresent(next -> director.show(next.get()));
             case LEVELS -> director.showLevels();
             case MENU, EDITOR -> director.showMenu();
         }

@@ -163,7 +163,7 @@ public final class PuzzleScene implements Scene {
         table.letGo();
         // The end is shown in the whole picture.
         view.showAll();
-        panels.end(game, sequel.next().isPresent(), tally.hasStar());
+        panels.end(game, sequel.next().map(way -> sequel.onward()), tally.hasStar());
         if (game.isSolved()) {
             solution = Optional.of(game.replay().solution());
             commands.solved();

@@ -15,6 +15,11 @@ interface Sequel {
     /** Makes the next scene; empty where nothing comes next. */
     Optional<Supplier<Scene>> next();
 
+    /** The command that leads to what is next. */
+    default Command onward() {
+        return Command.NEXT;
+    }
+
     /** The commands that leave the level, in order of increasing distance. */
     default List<Command> exits() {
         return List.of(Command.LEVELS, Command.MENU);
@@ -31,11 +36,23 @@ interface Sequel {
         if (number + 1 < levels.size()) {
             return () -> Optional.of(() -> new PuzzleScene(director, levels, number + 1));
         }
-        boolean isOfTheGame = Levels.isOfTheGame(levels.get(number));
-        return () ->
-                isOfTheGame && levels.stream().allMatch(level -> Levels.isSolved(director, level))
+        return Levels.isOfTheGame(levels.get(number)) ? endless(director, levels) : none();
+    }
+
+    private static Sequel endless(Director director, List<Level> before) {
+        return new Sequel() {
+            @Override
+            public Optional<Supplier<Scene>> next() {
+                return before.stream().allMatch(level -> Levels.isSolved(director, level))
                         ? Optional.of(() -> Levels.endless(director))
                         : Optional.empty();
+            }
+
+            @Override
+            public Command onward() {
+                return Command.ENDLESS;
+            }
+        };
     }
 
     /** Nothing comes after the level. */

@@ -58,13 +58,13 @@ final class Author {
 
     void take(int tool) {
         look();
-        click(View.TOOLS.x() + 26, View.TOOLS.y() + 26 + 44 * tool);
+        click(DeskPlaces.TOOLS.x() + 26, DeskPlaces.TOOLS.y() + 26 + 44 * tool);
     }
 
     /** Takes up the tool for joints of a kind. */
     void take(LevelJoint.Type type) {
         look();
-        click(View.TOOLS.x() + 70, View.TOOLS.y() + 26 + 44 * type.ordinal());
+        click(DeskPlaces.TOOLS.x() + 70, DeskPlaces.TOOLS.y() + 26 + 44 * type.ordinal());
     }
 
     /** Turns the fields to a leaf, if what is chosen has it. */

@@ -14,13 +14,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.NewLevel;
+import rigibo.frontend.editor.pane.Area;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
+import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.Legibility;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Settings;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
 
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.JsonNodeFactory;
@@ -40,10 +43,10 @@ import java.util.stream.Stream;
 class EditorJointFaultsTest {
 
     /** Width that an icon and margins leave for a line of the list of problems, px. */
-    private static final double ROOM = View.PROBLEMS.width() - 16 - 22 - 8;
+    private static final double ROOM = DeskPlaces.PROBLEMS.width() - 16 - 22 - 8;
 
     /** Of the two lines in which a fault is told, each short of a word, px. */
-    private static final double TWO_LINES = 2 * (View.FOOT.width() - 80);
+    private static final double TWO_LINES = 2 * (DeskPlaces.FOOT.width() - 80);
 
     private static final List<Path> ROOMS =
             List.of(
@@ -132,6 +135,25 @@ class EditorJointFaultsTest {
             assertThat(canvas.textWidth(told, 16, Canvas.Font.WORDS))
                     .as(told)
                     .isBetween(1.0, TWO_LINES);
+        }
+    }
+
+    /** In a column a sentence has as many lines as it takes. */
+    @ParameterizedTest
+    @MethodSource("languages")
+    void everySentenceIsWholeInAColumn(String language) throws IOException {
+        Words words = new Words(language);
+        Set<String> kinds = kinds();
+        for (Layout layout : EditorInWideWindowsTest.LAYOUTS) {
+            Area status = EditorInWideWindowsTest.places(layout, language).status();
+            RecordingCanvas canvas = RecordingCanvas.of(withTwoBoxes().scene, layout);
+            for (String kind : kinds) {
+                String told = words.of("editor.problem." + kind + ".told", "a-body", "1000");
+                double width = status.width() - 10;
+                assertThat(Lines.of(canvas, told, 16, Canvas.Font.WORDS, width).size())
+                        .as("lines of %s in %s", told, layout)
+                        .isLessThanOrEqualTo((int) (status.height() / DeskPlaces.LINE));
+            }
         }
     }
 

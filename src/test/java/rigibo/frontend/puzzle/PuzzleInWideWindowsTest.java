@@ -12,6 +12,7 @@ import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.PointerButton;
 import rigibo.frontend.scene.RecordingCanvas;
 import rigibo.frontend.scene.Scene;
+import rigibo.frontend.scene.Settings;
 
 /** Drawers stand beside the play if the window has room. */
 class PuzzleInWideWindowsTest {
@@ -96,5 +97,15 @@ class PuzzleInWideWindowsTest {
         int before = canvas().bodies().size();
         played.clickBox().turns(2);
         assertThat(canvas().bodies().size()).isEqualTo(before - 1);
+    }
+
+    /** With the largest text they are wider than the scene in some languages. */
+    @Test
+    void keysHaveTheirWordsWithLargeText() {
+        PlayedLevel german = new PlayedLevel(PlayedLevel.twoBoxes(), "de", Settings.Motion.FULL);
+        Layout narrow = Layout.ALONE.withText(1.3, 1.3);
+        assertThat(RecordingCanvas.of(german.scene, narrow).texts()).doesNotContain("Neustart");
+        Layout wide = WIDE.withText(1.3, 1.3);
+        assertThat(RecordingCanvas.of(german.scene, wide).texts()).contains("Neustart");
     }
 }

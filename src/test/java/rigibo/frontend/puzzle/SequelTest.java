@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
+import rigibo.frontend.puzzle.hud.Command;
 import rigibo.frontend.puzzle.level.Level;
 import rigibo.frontend.scene.RecordingDirector;
 import rigibo.frontend.scene.Scene;
@@ -25,6 +26,7 @@ class SequelTest {
         levels.stream().skip(1).forEach(this::solve);
         assertThat(last.next()).isEmpty();
         solve(levels.get(0));
+        assertThat(last.onward()).isEqualTo(Command.ENDLESS);
         Scene next = last.next().orElseThrow().get();
         assertThat(next.title()).isEqualTo("RigiBo – Endless");
         next.closed();

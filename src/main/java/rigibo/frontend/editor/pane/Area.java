@@ -52,6 +52,21 @@ public record Area(double x, double y, double width, double height) {
         return new Area(x, y, width, height - by);
     }
 
+    /** Returns an area as wide as this one, a gap below it, px. */
+    public Area below(double gap, double high) {
+        return new Area(x, bottom() + gap, width, high);
+    }
+
+    /** Returns this area with its upper edge so much lower, px. */
+    public Area lowered(double by) {
+        return raised(-by);
+    }
+
+    /** Returns this area with another height, px. */
+    public Area resized(double high) {
+        return new Area(x, y, width, high);
+    }
+
     /** Returns this area reduced by a margin on every side, px. */
     public Area inset(double by) {
         return new Area(x + by, y + by, width - 2 * by, height - 2 * by);

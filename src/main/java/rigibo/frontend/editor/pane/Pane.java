@@ -3,6 +3,9 @@ package rigibo.frontend.editor.pane;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Color;
 import rigibo.frontend.scene.Words;
+import rigibo.frontend.scene.widget.Lines;
+
+import java.util.List;
 
 /**
  * Draws parts of panes: plates, texts shortened to their room, buttons.
@@ -18,6 +21,9 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
     static final double TEXT = 16;
     static final double CORNER = 7;
     private static final double PADDING = 8;
+
+    /** What lines of a text are narrower than their area, px. */
+    private static final double ROUND = 10;
 
     /** Margin that buttons side by side give up where room is scarce, px. */
     static final double TIGHTENED = 11;
@@ -83,6 +89,21 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
                 };
         String fitting = fitted(line, area.width() - PADDING, Canvas.Font.WORDS);
         canvas.text(fitting, x, area.middleY(), TEXT, Canvas.Font.WORDS, align, color);
+    }
+
+    /**
+     * Words from the top of an area, broken into as many lines as it has room for, and shortened at
+     * their end where they are too long; returns where the next line would be, px.
+     */
+    public double lines(Area area, double line, String told, Color color) {
+        List<String> lines = Lines.of(canvas, told, TEXT, Canvas.Font.WORDS, area.width() - ROUND);
+        int fitting = Math.min(lines.size(), Math.max(1, (int) (area.height() / line)));
+        for (int i = 0; i < fitting; i++) {
+            int end = i == fitting - 1 ? lines.size() : i + 1;
+            Area row = new Area(area.x(), area.y() + i * line, area.width(), line);
+            text(row, String.join(" ", lines.subList(i, end)), Canvas.Align.LEFT, color);
+        }
+        return area.y() + fitting * line;
     }
 
     /**

@@ -11,7 +11,7 @@ import rigibo.frontend.scene.widget.Plate;
 
 import java.util.function.Consumer;
 
-/** The tools on the left, bodies beside joints, with the materials below them. */
+/** The tools for bodies and joints, and the materials. */
 public final class ToolPane {
 
     private static final double SIZE = 40;
@@ -19,49 +19,57 @@ public final class ToolPane {
     private static final double SWATCH = 30;
     private static final double GAP = 4;
 
-    /**
-     * Number of rows: that of the tools for bodies, which are more than those for joints beside
-     * them.
-     */
-    private static final int ROWS = 9;
+    /** Number of tools for bodies, which come first, and are more than those for joints. */
+    private static final int BODIES = 9;
+
+    private static final int JOINTS = Craft.values().length - BODIES;
+    private static final int MATERIALS = Substance.values().length;
 
     private static final int SWATCHES = 4;
 
     private ToolPane() {}
 
-    /** Lays out as many side by side as fit, tools first, each as large as a finger. */
-    public static void drawInHand(
+    /**
+     * Lays out bodies, joints and materials below each other in rows as short as they can be, each
+     * place as large as a finger in a handheld window.
+     */
+    public static void drawInRows(
             Pane pane, Area area, Desk desk, Craft taken, Consumer<Craft> take) {
-        Grid grid = grid(pane, area);
+        Grid bodies = rows(pane, area, BODIES, SIZE);
+        Area below = area.lowered(bodies.height(BODIES) + GAP);
+        Grid joints = rows(pane, below, JOINTS, SIZE);
         for (Craft craft : Craft.values()) {
-            Area place = Area.of(grid.place(craft.ordinal()));
+            int at = craft.ordinal();
+            Area place = Area.of(at < BODIES ? bodies.place(at) : joints.place(at - BODIES));
             tool(pane, place, craft, craft == taken, () -> take.accept(craft));
         }
-        int first = first(grid);
+        Area last = below.lowered(joints.height(JOINTS) + GAP);
+        Grid materials = rows(pane, last, MATERIALS, SWATCH);
         for (Substance substance : Substance.values()) {
-            swatch(pane, Area.of(grid.place(first + substance.ordinal())), desk, substance);
+            swatch(pane, Area.of(materials.place(substance.ordinal())), desk, substance);
         }
     }
 
-    /** Height of the pane in a handheld window for a given width, px. */
-    public static double heightInHand(Pane pane, double width) {
-        Grid grid = grid(pane, new Area(0, 0, width, 0));
-        return grid.height(first(grid) + Substance.values().length);
+    /** Height of the rows for a given width, px. */
+    public static double heightInRows(Pane pane, double width) {
+        Area area = new Area(0, 0, width, 0);
+        return rows(pane, area, BODIES, SIZE).height(BODIES)
+                + GAP
+                + rows(pane, area, JOINTS, SIZE).height(JOINTS)
+                + GAP
+                + rows(pane, area, MATERIALS, SWATCH).height(MATERIALS);
     }
 
-    private static Grid grid(Pane pane, Area area) {
-        double side = pane.pressable(SIZE);
-        int columns = (int) ((area.width() + GAP) / (side + GAP));
+    /** A number of places in as few rows as an area has room for, all about as long. */
+    private static Grid rows(Pane pane, Area area, int places, double size) {
+        double side = pane.pressable(size);
+        int most = (int) ((area.width() + GAP) / (side + GAP));
+        int rows = (places + most - 1) / most;
+        int columns = (places + rows - 1) / rows;
         return new Grid(new Plate(area.x(), area.y(), side, side), columns, GAP, GAP);
     }
 
-    /** The first of the materials, which begin with a row of their own. */
-    private static int first(Grid grid) {
-        int tools = Craft.values().length;
-        return (tools + grid.columns() - 1) / grid.columns() * grid.columns();
-    }
-
-    /** Draws it; a press on a tool takes it up. */
+    /** Draws bodies beside joints, with the materials below; a press on a tool takes it up. */
     public static void draw(Pane pane, Area area, Desk desk, Craft taken, Consumer<Craft> take) {
         pane.plate(area);
         Area inner = area.inset(6);
@@ -76,7 +84,7 @@ public final class ToolPane {
         for (Substance substance : Substance.values()) {
             int at = substance.ordinal();
             double x = inner.x() + at / SWATCHES * PITCH + (SIZE - SWATCH) / 2;
-            double y = inner.y() + ROWS * PITCH + 8 + at % SWATCHES * (SWATCH + 6);
+            double y = inner.y() + BODIES * PITCH + 8 + at % SWATCHES * (SWATCH + 6);
             swatch(pane, new Area(x, y, SWATCH, SWATCH), desk, substance);
         }
     }

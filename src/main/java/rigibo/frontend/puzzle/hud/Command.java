@@ -26,6 +26,8 @@ public enum Command {
     /** Ends a show. */
     STOP,
     NEXT,
+    /** Goes on with endless levels, after the last of the game's. */
+    ENDLESS,
     LEVELS,
     MENU,
     /** Ends the trial of a draft. */

@@ -76,10 +76,11 @@ final class EndPanel {
     /**
      * The panel at the end of a game.
      *
+     * @param next the way on, if there is one
      * @param exit the way out of the level
      * @param star the level's star, if it has one; shown only if the level is solved
      */
-    EndPanel(PuzzleGame game, boolean hasNext, Command exit, Optional<StarStamp> star) {
+    EndPanel(PuzzleGame game, Optional<Command> next, Command exit, Optional<StarStamp> star) {
         this.game = game;
         this.star = star.filter(one -> game.isSolved());
         int par = game.level().limits().par();
@@ -87,7 +88,7 @@ final class EndPanel {
                 game.isSolved()
                         ? Optional.of(new MedalStamps(Medal.of(game.clicks(), par), par))
                         : Optional.empty();
-        ways = ways(hasNext, exit);
+        ways = ways(next, exit);
         buttons = new ButtonRow(grid, ways);
     }
 
@@ -144,10 +145,10 @@ final class EndPanel {
         return game == other;
     }
 
-    private List<Command> ways(boolean hasNext, Command exit) {
+    private List<Command> ways(Optional<Command> next, Command exit) {
         List<Command> ways = new ArrayList<>();
-        if (game.isSolved() && hasNext) {
-            ways.add(Command.NEXT);
+        if (game.isSolved()) {
+            next.ifPresent(ways::add);
         }
         ways.add(Command.RESTART);
         if (game.isSolved()) {

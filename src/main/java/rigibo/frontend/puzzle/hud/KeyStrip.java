@@ -77,16 +77,21 @@ final class KeyStrip {
     }
 
     /**
-     * Draws commands at equal distances; an active one is lit. If there is no room for all words,
-     * the first commands, which players know longest, show their keys alone.
+     * Draws commands at equal distances; an active one is lit. Where they are wider than the scene,
+     * they go on beside it. If there is no room for all words, the first commands, which players
+     * know longest, show their keys alone.
      */
     void draw(Canvas canvas, Words words, List<Command> commands, List<Command> lit) {
+        int gaps = commands.size() + 1;
+        double wanted = taken(canvas, words, commands, 0) + gaps * LEAST_GAP;
+        double room = Math.max(Scene.WIDTH, Math.min(canvas.layout().width(), wanted));
         int bare = 0;
-        while (bare < commands.size() && gap(canvas, words, commands, bare) < LEAST_GAP) {
+        while (bare < commands.size()
+                && taken(canvas, words, commands, bare) + gaps * LEAST_GAP > room) {
             bare++;
         }
-        double gap = gap(canvas, words, commands, bare);
-        double left = gap;
+        double gap = (room - taken(canvas, words, commands, bare)) / gaps;
+        double left = (Scene.WIDTH - room) / 2 + gap;
         places.clear();
         foot = TOP + HEIGHT;
         for (int i = 0; i < commands.size(); i++) {
@@ -99,13 +104,13 @@ final class KeyStrip {
         }
     }
 
-    /** Distance between two commands, px, if the first ones show their keys alone. */
-    private static double gap(Canvas canvas, Words words, List<Command> commands, int bare) {
+    /** Width of all commands, px, if the first ones show their keys alone. */
+    private static double taken(Canvas canvas, Words words, List<Command> commands, int bare) {
         double taken = 0;
         for (int i = 0; i < commands.size(); i++) {
             taken += width(canvas, words, commands.get(i), i < bare);
         }
-        return (Scene.WIDTH - taken) / (commands.size() + 1);
+        return taken;
     }
 
     private static double width(Canvas canvas, Words words, Command command, boolean isBare) {

@@ -145,12 +145,12 @@ public final class Panels {
     }
 
     /** Shows the outcome of a game, as long as that game is on the screen. */
-    public void end(PuzzleGame game, boolean hasNext, boolean hasStar) {
+    public void end(PuzzleGame game, Optional<Command> next, boolean hasStar) {
         Optional<StarStamp> star =
                 game.level()
                         .star()
                         .map(one -> new StarStamp(one.text().in(words.locale()), game, hasStar));
-        end = Optional.of(new EndPanel(game, hasNext, exits.get(0), star));
+        end = Optional.of(new EndPanel(game, next, exits.get(0), star));
         end.ifPresent(this::place);
     }
 

@@ -11,8 +11,9 @@ import rigibo.frontend.scene.Scenery;
 
 /**
  * Fits the play between the bar at the top and the keys at the bottom. Levels leave a margin of
- * their world for these two, in which only beams hang. Other panels that open below the bar make
- * the picture smaller and cover nothing. Two fingers enlarge a part of it.
+ * their world for these two, in which only beams hang. Where a ball begins in it, and where other
+ * panels open below the bar, the picture gets smaller, so that they cover nothing. Two fingers
+ * enlarge a part of it.
  */
 public final class View {
 
@@ -42,12 +43,17 @@ public final class View {
     private double middleX;
     private double middleY;
 
-    /** Empty height above all parts of the level at its start, m. */
+    /** Empty height above all balls of the level at its start, and above all parts of it, m. */
+    private final double emptyOfBalls;
+
     private final double empty;
 
     public View(Level level) {
         world = level.world();
-        empty = world.height() - highest(level);
+        double ball =
+                level.balls().stream().mapToDouble(it -> it.y() + it.radius()).max().orElse(0);
+        emptyOfBalls = world.height() - ball;
+        empty = Math.min(emptyOfBalls, world.height() - highest(level));
         camera = new Camera(world.width() / 2, world.height() / 2, Camera.DEFAULT_SCALE);
         showAll();
     }
@@ -105,7 +111,7 @@ public final class View {
     }
 
     private void look() {
-        double sky = foot > BAR_FOOT ? Math.min(SKY, empty) : SKY;
+        double sky = foot > BAR_FOOT ? Math.min(SKY, empty) : Math.min(SKY, emptyOfBalls);
         double height = world.height() - sky - GROUND;
         double whole = Math.min(Scene.WIDTH / world.width(), room() / height);
         double scale = whole * enlarged;

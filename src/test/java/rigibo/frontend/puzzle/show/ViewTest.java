@@ -40,6 +40,17 @@ class ViewTest {
         assertThat(camera.screenX(width / 2)).isCloseTo(Scene.WIDTH / 2.0, within(1e-9));
     }
 
+    /** Levels made by chance may begin so. */
+    @ParameterizedTest
+    @CsvSource({"56", "124"})
+    void aBallThatBeginsInTheMarginIsSeenWhole(double foot) {
+        View view = new View(LevelTexts.level(LevelTexts.with("\"y\": 2.7", "\"y\": 9.5")));
+        view.fitBelow(foot);
+        Camera camera = view.camera();
+        assertThat(camera.screenY(9.5 + 0.35)).isGreaterThan(foot - 1e-9);
+        assertThat(camera.screenY(GROUND)).isLessThan(View.KEYS_TOP + 1e-9);
+    }
+
     /**
      * The point between the fingers stays in place, and the picture never shows more than before.
      */
