@@ -7,6 +7,7 @@ import rigibo.backend.collision.distance.TimeOfImpact;
 import rigibo.backend.collision.manifold.Pose;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.Counters;
 import rigibo.backend.storage.DataStorage;
@@ -18,7 +19,9 @@ import java.util.Arrays;
 
 /**
  * Moves the bodies in flight and resolves their impacts in time order. At an impact only its two
- * bodies are advanced to that time, and their other impacts are predicted again.
+ * bodies are advanced to that time, and their other impacts are predicted again. Where impacts are
+ * split within the step, whatever may meet by its own motion is in a pile already, and only who may
+ * be driven into others is looked for.
  */
 public final class Flight {
 
@@ -55,6 +58,9 @@ public final class Flight {
     /** Paths under forces that vary along the path; null if there are none. */
     private final Course course;
 
+    /** Whether impacts are predicted; if not, what may meet within the step is in piles. */
+    private final boolean isInTime;
+
     private final Roster roster;
     private final ImpactQueue queue;
     private final TimeOfImpact timeOfImpact = new TimeOfImpact();
@@ -84,12 +90,12 @@ public final class Flight {
         this.broadphase = broadphase;
         this.accuracy = accuracy;
         this.course = course;
+        isInTime = accuracy.impacts() == ImpactMode.EVENTS;
         free = new FreeFlight(data, course);
         paths = free.paths;
         queue = new ImpactQueue(pairs);
         impacts = new FlightImpacts(data, narrowphase, accuracy, paths, course);
-        bystanders =
-                new Bystanders(data, narrowphase, broadphase, paths, accuracy.impactTolerance());
+        bystanders = new Bystanders(data, narrowphase, broadphase, paths, accuracy);
         expectedHits = new ExpectedHits(data, paths);
         disturbance = new Disturbance(data, paths, bystanders, waking, this::join);
         followers =
@@ -106,7 +112,7 @@ public final class Flight {
         queue.clear(pairs.bodyA.length);
         reserve();
         disturbance.begin();
-        for (int i = 0; i < pairs.activeCount; i++) {
+        for (int i = 0; isInTime && i < pairs.activeCount; i++) {
             int pair = pairs.active[i];
             if (pairs.points[pair] > 0 || mayMeetLater(pair)) {
                 predict(pair, 0, dt);
@@ -159,7 +165,8 @@ public final class Flight {
         queue.remove(pair);
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
-        if (!paths.isFlyer(a) && !paths.isFlyer(b) || waits(pair)) {
+        boolean isFlown = paths.isFlyer(a) || paths.isFlyer(b);
+        if (!isInTime || !isFlown || waits(pair)) {
             return;
         }
         boolean isOneSided = narrowphase.isOneSided(pair);

@@ -191,6 +191,11 @@ public final class StepPlan {
                     StepStage.FLIGHT,
                     "move bodies in flight from impact to impact, in the order of time",
                     new Flight(data, narrowphase, broadphase, accuracy, course)::fly);
+        } else if (mode == ImpactMode.SPLIT) {
+            add(
+                    StepStage.FLIGHT,
+                    "find what is driven into others, and move bodies in flight along their paths",
+                    new Flight(data, narrowphase, broadphase, accuracy, course)::fly);
         } else {
             add(
                     StepStage.FLIGHT,

@@ -16,6 +16,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.impact.Impact;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
+import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.setup.Material;
 import rigibo.backend.storage.Pairs;
 
@@ -39,7 +40,7 @@ class BystandersTest {
     private Bystanders bystanders = watch();
 
     private Bystanders watch() {
-        return new Bystanders(air.storage.data, air.narrowphase, air.broadphase, paths, TOLERANCE);
+        return new Bystanders(air.storage.data, air.narrowphase, air.broadphase, paths, GAME);
     }
 
     /** Starts again in a world without rotation. */
@@ -410,5 +411,16 @@ class BystandersTest {
         air.pairs.elasticity[pair] = elasticity;
         assertThat(bystanders.reachLeft(pair, struck, 1, 0.125))
                 .isEqualTo(share, within(ROUND_OFF));
+    }
+
+    /** Twice the root of 10⁻⁴ is above the bound of 0.002; that of 10⁻⁸ is below it. */
+    @ParameterizedTest
+    @CsvSource({"EVENTS, 1e-4, 0.002", "EVENTS, 1e-8, 0.0002", "SPLIT, 1e-8, 0.1"})
+    void theAllowanceIsByTheAccuracyOfImpacts(ImpactMode mode, double tolerance, double widths) {
+        Accuracy accuracy = GAME.withImpacts(mode).withImpactTolerance(tolerance);
+        Bystanders asked =
+                new Bystanders(air.storage.data, air.narrowphase, air.broadphase, paths, accuracy);
+
+        assertThat(asked.allowance()).isEqualTo(widths, within(1e-15));
     }
 }

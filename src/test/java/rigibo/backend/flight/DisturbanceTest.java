@@ -30,12 +30,7 @@ class DisturbanceTest {
     private final Air air = new Air(Accuracy.GAME);
     private final Trajectories paths = new Trajectories(air.bodies);
     private final Bystanders bystanders =
-            new Bystanders(
-                    air.storage.data,
-                    air.narrowphase,
-                    air.broadphase,
-                    paths,
-                    Accuracy.GAME.impactTolerance());
+            new Bystanders(air.storage.data, air.narrowphase, air.broadphase, paths, Accuracy.GAME);
     private final List<Integer> joined = new ArrayList<>();
     private final Disturbance disturbance =
             new Disturbance(
@@ -238,7 +233,7 @@ class DisturbanceTest {
                                 jointed.narrowphase,
                                 jointed.broadphase,
                                 courses,
-                                Accuracy.GAME.impactTolerance()),
+                                Accuracy.GAME),
                         new Waking(jointed.storage.data),
                         (flyer, body, time, dt) -> {
                             courses.land(flyer, time);

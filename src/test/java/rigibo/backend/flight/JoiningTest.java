@@ -305,6 +305,24 @@ class JoiningTest {
         requireJoined(false, beside, 0);
     }
 
+    /** Where impacts are split within the step, none is predicted, but who is struck is known. */
+    @ParameterizedTest
+    @CsvSource({"0.99, true", "1.01, false"})
+    void whoIsBesideBouncersJoinsWithoutPredictions(double gap, boolean joins) {
+        Air split = new Air(Accuracy.DRAFT);
+        int left = split.add(Air.disc(0, 0.5, 1));
+        int right = split.add(Air.disc(2, -0.5, 1));
+        split.pile(left);
+        split.pile(right);
+        int beside = split.add(Air.disc(4 + gap, -0.5, 1));
+        int striker = split.add(Air.disc(50, 9, 1));
+        split.add(Air.disc(53, 0, 1));
+        split.fly(0.5);
+
+        assertThat(split.bodies.piled[beside]).isEqualTo(joins);
+        assertThat(split.bodies.velocityX[striker]).as("m/s, on its way through").isEqualTo(9);
+    }
+
     private int sleeper(double x) {
         int slot = disc(x, 0);
         air.bodies.awake[slot] = false;
