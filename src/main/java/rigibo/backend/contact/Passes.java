@@ -63,6 +63,13 @@ public final class Passes {
 
     private static final int LEAST_PASSES = 16;
 
+    /**
+     * Least limit of passes per step in a calm crowd, as many as at the game's accuracy. With an
+     * eighth of them, a third of heaps of a few hundred boxes crept at {@code DRAFT} and never
+     * slept.
+     */
+    private static final int CALM_PASSES = 64;
+
     /** Factor on {@code missed} in a crowd. */
     private static final double MISSED_IN_A_CROWD = 3;
 
@@ -188,7 +195,7 @@ public final class Passes {
         mostOfFew = (int) (most * Math.max(1, Rounds.timesByMass(motions)));
         int times = Math.max(1, usual / substeps);
         mostOfCrowd = isThrifty ? most : most * times;
-        mostIfCalm = most / 2 * times;
+        mostIfCalm = Math.max(most / 2, CALM_PASSES / usual) * times;
     }
 
     /**

@@ -34,7 +34,7 @@ public record Accuracy(
         ContactSolver contactSolver,
         Correction correction) {
 
-    /** Fast and plausible: 1 substep, split impacts. Fast, turning bodies may sink in deeply. */
+    /** Fast and plausible: 1 substep, split impacts. What is struck hard may sink in visibly. */
     public static final Accuracy DRAFT =
             new Accuracy(
                     1,
