@@ -25,13 +25,13 @@ class ReserveTest {
     void stepThatMakesRoomTellsAndOneWithRoomMakesNone() {
         Pool growing = flood(new Pool());
         Pool roomy = new Pool();
-        roomy.reserve(SIDE * SIDE + 1, 5000);
+        roomy.reserve(SIDE * SIDE + 1, 10_000);
         flood(roomy);
         roomy.step(Scenes.DT);
         growing.step(Scenes.DT);
         int least = growing.report().pairRoom();
         int room = roomy.report().pairRoom();
-        assertThat(room).isGreaterThanOrEqualTo(5000);
+        assertThat(room).isGreaterThanOrEqualTo(10_000);
         for (int i = 0; i < STEPS; i++) {
             roomy.step(Scenes.DT);
             growing.step(Scenes.DT);
