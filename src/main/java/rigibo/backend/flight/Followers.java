@@ -1,6 +1,7 @@
 package rigibo.backend.flight;
 
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.ImpactMode;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.KeptOverlap;
@@ -65,7 +66,17 @@ final class Followers {
         this.joining = joining;
         sway = new Sway(data);
         shareThatShows = SHARE * bystanders.allowance();
-        ways = new Ways(data, LEAST * shareThatShows, KeptOverlap.ifCalm(true, accuracy));
+        ways = new Ways(data, LEAST * shareThatShows, keptOverlap(accuracy));
+    }
+
+    /**
+     * Overlap in widths that leads nobody off: any overlap where impacts are split, since bodies
+     * are deep in each other there, and it is taken back over many steps.
+     */
+    private static double keptOverlap(Accuracy accuracy) {
+        return accuracy.impacts() == ImpactMode.EVENTS
+                ? KeptOverlap.ifCalm(true, accuracy)
+                : Double.POSITIVE_INFINITY;
     }
 
     /** Joins all followers at the start of a step of dt seconds. */
