@@ -35,9 +35,6 @@ record DeskPlaces(
         Area draft,
         boolean isBeside) {
 
-    /** Height of a line of text, px. */
-    static final double LINE = 22;
-
     /** Places on the sheet, px. */
     static final Area TOOLS = new Area(4, 54, 96, 602);
 
@@ -112,7 +109,7 @@ record DeskPlaces(
                 FIELDS,
                 effects,
                 PROBLEMS.shortened(risen),
-                new Area(effects.x(), lines, effects.width(), LINES * LINE),
+                new Area(effects.x(), lines, effects.width(), LINES * Pane.LINE),
                 DRAFT,
                 false);
     }
@@ -120,7 +117,7 @@ record DeskPlaces(
     private static DeskPlaces beside(Pane pane, List<Bar.Button> buttons, Area left, Area draft) {
         double inner = left.width() - 2 * MARGIN;
         double rows = Bar.height(pane, new Area(0, 0, inner, ROW), buttons);
-        Area commands = left.resized(rows + LINE + 2 * MARGIN);
+        Area commands = left.resized(rows + Pane.LINE + 2 * MARGIN);
         Area tools = commands.below(GAP, ToolPane.heightInRows(pane, inner) + 2 * MARGIN);
         double bottom = draft.bottom() - EDGE;
         double rest = bottom - tools.bottom() - 2 * GAP;

@@ -1,6 +1,7 @@
 package rigibo.frontend.editor;
 
 import rigibo.frontend.editor.pane.Area;
+import rigibo.frontend.editor.pane.Pane;
 import rigibo.frontend.scene.Layout;
 import rigibo.frontend.scene.widget.Grid;
 import rigibo.frontend.scene.widget.Plate;
@@ -32,10 +33,8 @@ record EditorPlaces(
 
     private static final double GAP = 6;
 
-    /** Lines that the status has room for, and the height of one, px. */
+    /** Lines that the status has room for. */
     private static final int LINES = 3;
-
-    static final double LINE = 22;
 
     /** Width of buttons and status beside the draft, px. */
     private static final double STRIP = 206;
@@ -59,7 +58,7 @@ record EditorPlaces(
         double width = sheet.seenRight() - GAP - left;
         Plate first = new Plate(left, sheet.seenTop() + GAP, width, finger);
         Plate last = new Plate(left, sheet.seenBottom() - GAP - finger, width, finger);
-        double lines = LINES * LINE;
+        double lines = LINES * Pane.LINE;
         double status = last.y() - GAP - lines;
         double zoomed = 2 * finger + GAP;
         double button = status + (lines - finger) / 2;

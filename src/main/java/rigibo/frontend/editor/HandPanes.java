@@ -233,7 +233,7 @@ final class HandPanes {
         Color ink = shop.remark().isEmpty() ? Color.TEXT_DIM : Color.BRASS;
         Optional<String> told = told(pane, findings);
         String sentence = told.orElseGet(() -> shop.remark().isEmpty() ? hint() : shop.remark());
-        pane.lines(area, EditorPlaces.LINE, sentence, told.isPresent() ? Color.TEXT : ink);
+        pane.lines(area, sentence, told.isPresent() ? Color.TEXT : ink);
     }
 
     private void zoom(Pane pane, Area place, String key, String sign, double factor) {

@@ -69,13 +69,13 @@ final class HandQuestion {
     private void plate() {
         double finger = pane.canvas().layout().clickable(0);
         List<String> lines = asked.isEmpty() ? List.of() : lines();
-        double height = 2 * MARGIN + lines.size() * EditorPlaces.LINE + finger;
+        double height = 2 * MARGIN + lines.size() * Pane.LINE + finger;
         Area plate = new Area(part.x(), part.bottom() - height, part.width(), height);
         pane.plate(plate);
         Area inner = plate.inset(MARGIN);
         for (int i = 0; i < lines.size(); i++) {
-            double y = inner.y() + i * EditorPlaces.LINE;
-            Area line = new Area(inner.x(), y, inner.width(), EditorPlaces.LINE);
+            double y = inner.y() + i * Pane.LINE;
+            Area line = new Area(inner.x(), y, inner.width(), Pane.LINE);
             pane.text(line, lines.get(i), Canvas.Align.LEFT, Color.GOOD);
         }
         Plate row = new Plate(inner.x(), inner.bottom() - finger, inner.width(), finger);

@@ -110,7 +110,7 @@ final class Panes {
         commands.forEach(bar::button);
         String name = shop.drawer().file().map(Panes::nameOf).orElse("");
         String star = shop.drawer().isSaved(shop.desk().draft()) ? "" : "* ";
-        Area rest = places.isBeside() ? bar.below(DeskPlaces.LINE) : bar.rest();
+        Area rest = places.isBeside() ? bar.below(Pane.LINE) : bar.rest();
         pane.text(rest, star + name, Canvas.Align.RIGHT, Color.TEXT_DIM);
     }
 
@@ -136,12 +136,12 @@ final class Panes {
     }
 
     private double sentence(Area area, String words, Color ink) {
-        return pane.lines(area, DeskPlaces.LINE, words, ink);
+        return pane.lines(area, words, ink);
     }
 
     /** Shows a question to the author, or the last action; returns what lies below it, px. */
     private double remark(Area area) {
-        Bar bar = new Bar(pane, area.resized(DeskPlaces.LINE));
+        Bar bar = new Bar(pane, area.resized(Pane.LINE));
         if (shop.drawer().offered().isPresent()) {
             bar.words(pane.words().of("editor.offer"), Color.BRASS);
             bar.button("offer.take", true, shop::takeUp);
@@ -157,7 +157,7 @@ final class Panes {
         } else if (places.isBeside() && shop.remark().isEmpty()) {
             return area.y();
         } else {
-            Area most = area.shortened(LINES * DeskPlaces.LINE);
+            Area most = area.shortened(LINES * Pane.LINE);
             return sentence(most, shop.remark(), Color.BRASS);
         }
         return bar.below(0).y();

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rigibo.frontend.editor.draft.Draft;
 import rigibo.frontend.editor.draft.NewLevel;
 import rigibo.frontend.editor.pane.Area;
+import rigibo.frontend.editor.pane.Pane;
 import rigibo.frontend.puzzle.level.LevelJoint;
 import rigibo.frontend.scene.Canvas;
 import rigibo.frontend.scene.Key;
@@ -152,7 +153,7 @@ class EditorJointFaultsTest {
                 double width = status.width() - 10;
                 assertThat(Lines.of(canvas, told, 16, Canvas.Font.WORDS, width).size())
                         .as("lines of %s in %s", told, layout)
-                        .isLessThanOrEqualTo((int) (status.height() / DeskPlaces.LINE));
+                        .isLessThanOrEqualTo((int) (status.height() / Pane.LINE));
             }
         }
     }

@@ -18,6 +18,9 @@ import java.util.List;
  */
 public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, double pointerY) {
 
+    /** Height of a line of text, px. */
+    public static final double LINE = 22;
+
     static final double TEXT = 16;
     static final double CORNER = 7;
     private static final double PADDING = 8;
@@ -95,15 +98,15 @@ public record Pane(Canvas canvas, Spots spots, Words words, double pointerX, dou
      * Words from the top of an area, broken into as many lines as it has room for, and shortened at
      * their end where they are too long; returns where the next line would be, px.
      */
-    public double lines(Area area, double line, String told, Color color) {
+    public double lines(Area area, String told, Color color) {
         List<String> lines = Lines.of(canvas, told, TEXT, Canvas.Font.WORDS, area.width() - ROUND);
-        int fitting = Math.min(lines.size(), Math.max(1, (int) (area.height() / line)));
+        int fitting = Math.min(lines.size(), Math.max(1, (int) (area.height() / LINE)));
         for (int i = 0; i < fitting; i++) {
             int end = i == fitting - 1 ? lines.size() : i + 1;
-            Area row = new Area(area.x(), area.y() + i * line, area.width(), line);
+            Area row = new Area(area.x(), area.y() + i * LINE, area.width(), LINE);
             text(row, String.join(" ", lines.subList(i, end)), Canvas.Align.LEFT, color);
         }
-        return area.y() + fitting * line;
+        return area.y() + fitting * LINE;
     }
 
     /**
