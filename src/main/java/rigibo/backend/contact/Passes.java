@@ -249,9 +249,8 @@ public final class Passes {
     /** Solves contacts, so that they neither close nor slide. */
     void hold(double h, double length, int substep, double fastest, double limit) {
         // No load stops a driven body that presses another against an immovable one. Without a
-        // limit
-        // the load would grow with every pass and lose the digits of the friction that holds the
-        // pressed body, which would be thrown out.
+        // limit the load would grow with every pass and lose the digits of the friction that holds
+        // the pressed body, which would be thrown out.
         sweep.limitPresses(motions.mass() * limit);
         if (contacts.areCrowd()) {
             sweepCrowd(h, length, substep, fastest);

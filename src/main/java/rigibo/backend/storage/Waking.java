@@ -28,7 +28,7 @@ public final class Waking {
         if (bodies.type[slot] == BodyType.STATIC || bodies.isDisabled(slot)) {
             return;
         }
-        if (bodies.isDynamic(slot) && !bodies.awake[slot]) {
+        if (isAsleep(slot)) {
             rouse(slot);
         }
         pushSleepers(slot);
@@ -135,7 +135,7 @@ public final class Waking {
         for (int p = bodies.firstPairOf(slot); p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
             contactsLookedAt++;
             int other = pairs.other(p, slot);
-            if (pairs.touching[p] && bodies.isDynamic(other) && !bodies.awake[other]) {
+            if (pairs.touching[p] && isAsleep(other)) {
                 push(other);
             }
         }
@@ -148,7 +148,7 @@ public final class Waking {
         JointStore joints = data.joints;
         for (int j = joints.firstOf(slot); j != JointStore.NONE; j = joints.nextOf(j, slot)) {
             int other = joints.other(j, slot);
-            if (joints.hasRows(bodies, j) && bodies.isDynamic(other) && !bodies.awake[other]) {
+            if (joints.hasRows(bodies, j) && isAsleep(other)) {
                 push(other);
             }
         }

@@ -58,7 +58,7 @@ public final class TurningRows {
     /** Whether any body of the packed island turns too far. */
     private boolean isAnyTurning;
 
-    /** By entry of the motions: whether that body turns too far; valid only if any does. */
+    /** By entry of the motions: whether that body turns too far in the rest of the step. */
     private boolean[] turnsFar = new boolean[16];
 
     /** Sagitta of a whole step that is neglected, in widths. */
