@@ -2,6 +2,8 @@ package rigibo.backend;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Disabled;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -55,6 +57,16 @@ class TumblingCrowdTest {
     @ParameterizedTest
     @EnumSource(names = {"GAME", "FINE"})
     void highHeapsOfBoxesFallAsleep(Preset preset) {
+        requireHeapsToSleep(preset);
+    }
+
+    @Disabled("two of ten such heaps creep on at DRAFT")
+    @Test
+    void highHeapsOfBoxesFallAsleepAtDraft() {
+        requireHeapsToSleep(Preset.DRAFT);
+    }
+
+    private static void requireHeapsToSleep(Preset preset) {
         for (long seed = 0; seed < 5; seed++) {
             Pool pool = new Pool(Effects.usual(), preset.accuracy);
             Random random = new Random(31 * seed + 200);
