@@ -35,6 +35,13 @@ public final class Rounds {
      */
     private static final double LEFT_IF_CALM = 1e-7;
 
+    /**
+     * Allowed residual after the usual number of rounds, where they no longer converge, as a
+     * multiple of the usual one. Two faces that hold a body at slightly different angles leave such
+     * a residual: elimination finds nothing to change, and passes shift the same load for ever.
+     */
+    private static final double TIMES_LEFT_LATER = 10;
+
     /** Share of the largest change of speed below which a change is round-off: about 64 ulp. */
     private static final double CHANGE_ROUND_OFF = 1e-14;
 
@@ -46,6 +53,15 @@ public final class Rounds {
      * one is undone by half.
      */
     private static final double SHRINKS = 0.5;
+
+    /** Least residual that counts as no nearer than another one, as a share of that one. */
+    private static final double NO_NEARER = 0.99;
+
+    /**
+     * Number of rounds in turn, as a multiple of the usual number, that may come no nearer: rounds
+     * that cycle would go on cycling.
+     */
+    private static final int STALLED = 2;
 
     /**
      * Budget of elimination as a multiple of the work of passes, for equal masses and e = 0, where
@@ -275,8 +291,8 @@ public final class Rounds {
      * and elimination continues. Where masses differ and more rounds are made, it is tried again
      * after some of them, since at once it would lead to the same place.
      *
-     * <p>If the rounds of a calm island cycle, or many rounds of a moving one diverge, the best of
-     * them is kept.
+     * <p>Rounds may cycle, since friction and normal loads depend on each other; they end once many
+     * in turn came no nearer. In a calm island, and at {@code EXACT}, the best of them is kept.
      *
      * @return whether the rounds converged
      */
@@ -290,17 +306,19 @@ public final class Rounds {
         int wait = WAIT;
         int rounds = (int) (most * times);
         int passes = (int) Math.min(MOST_PASSES, times);
-        for (int i = 0; i < rounds && !direct.isSpent(); i++) {
+        int end = STALLED * most;
+        for (int i = 0; i < Math.min(rounds, end) && !direct.isSpent(); i++) {
             for (int pass = 1; i >= QUICK && pass < passes; pass++) {
                 sweep.once(h, substep);
             }
             double left = left(h, kicked, substep, fastest);
+            end = left < NO_NEARER * least ? i + STALLED * most : end;
             if (left < least && isBestKept()) {
-                least = left;
                 best.begin();
             }
+            least = Math.min(left, least);
             boolean isNoNearer = left > SHRINKS * last;
-            if (left <= 1 || isNoNearer && last <= enough) {
+            if (left <= 1 || isNoNearer && last <= (i > most ? TIMES_LEFT_LATER : enough)) {
                 if (left > last) {
                     halfway.takeBack();
                 }
