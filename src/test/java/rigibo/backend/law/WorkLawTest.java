@@ -96,6 +96,48 @@ class WorkLawTest {
     }
 
     /**
+     * Twelve boxes of up to two hundred times each other's mass, smooth and rough. Elimination may
+     * take a hundred times the work of passes there, which solve each contact six times in each
+     * kick; the passes between eliminations take no more. Some of these heaps never converge.
+     */
+    @Test
+    void roundsThatDoNotConvergeEnd() {
+        int kicks = Preset.GAME.accuracy.substeps() + 1;
+        long most = 100L * 6 * kicks;
+        long longest = 0;
+        for (long seed = 1; seed <= 60; seed++) {
+            Pool pool = unlike(new Draw(seed), seed % 2 == 0 ? 0 : 0.3);
+            for (int i = 0; i < STEPS / 2; i++) {
+                StepReport report = pool.step(RandomScene.DT);
+                long each = report.contactSolves() / Math.max(1, report.contacts());
+                assertThat(each).as("seed %d, step %d", seed, i).isLessThan(most);
+                longest = Math.max(longest, each);
+            }
+        }
+        assertThat(longest).as("solutions of a contact in a step").isGreaterThan(most / 10);
+    }
+
+    private static Pool unlike(Draw draw, double friction) {
+        Pool pool = new Pool(new Pool().effects(), Preset.GAME.accuracy);
+        Material material = new Material(1, friction, 0);
+        pool.add(BodyDefinition.fixed(Polygon.box(8, 1)).at(0, -0.5).material(material));
+        for (int side = -1; side <= 1; side += 2) {
+            BodyDefinition wall = BodyDefinition.fixed(Polygon.box(1, 6));
+            pool.add(wall.at(side * 2.5, 3).material(material));
+        }
+        for (int i = 0; i < 12; i++) {
+            double size = draw.between(0.25, 0.75);
+            Polygon box = Polygon.box(size, size * draw.between(0.5, 1.5));
+            pool.add(
+                    BodyDefinition.dynamic(box)
+                            .at(i % 4 - 1.5, 0.6 + i / 4)
+                            .angle(draw.between(0, 6))
+                            .material(material.density(draw.ofAnySize(20, 2000))));
+        }
+        return pool;
+    }
+
+    /**
      * Elastic discs on discs: what an impact goes through is the whole heap. Impacts and
      * elimination may each take 18 passes over all points a kick, but for small islands, whose
      * impacts may take one million multiplications a step; what is eliminated because it is calm
