@@ -70,6 +70,13 @@ public final class Passes {
      */
     private static final int CALM_PASSES = 64;
 
+    /**
+     * Speed, as a share of a free body's gain of speed in a step, below which a crowd gets no fewer
+     * passes than a calm one. High heaps at {@code DRAFT} rocked on at 0.1 m/s: the passes that
+     * were left to them at that speed moved loads too late, and so drove them.
+     */
+    private static final double SLOW = 2;
+
     /** Factor on {@code missed} in a crowd. */
     private static final double MISSED_IN_A_CROWD = 3;
 
@@ -148,6 +155,9 @@ public final class Passes {
     /** Most passes per substep in an island of few contacts; grows with the ratio of masses. */
     private int mostOfFew;
 
+    /** Least limit of passes per substep in a slow crowd: half of a step's, for half a kick. */
+    private final int leastIfSlow;
+
     /** Length of the step, s. */
     private double step;
 
@@ -177,6 +187,7 @@ public final class Passes {
         noise = NOISE * shorter * shorter;
         int passes = Math.max(LEAST_PASSES, usual * usual * usual / CUBES_PER_PASS);
         most = Math.min(MOST_PASSES, accuracy.velocityIterations() * passes);
+        leastIfSlow = CALM_PASSES / (2 * usual);
     }
 
     /**
@@ -304,9 +315,11 @@ public final class Passes {
      * A calm crowd gets fewer passes.
      */
     private void sweepCrowd(double h, double length, int substep, double fastest) {
-        boolean isCalm = fastest < CALM * kick.strongest() * step;
+        double gained = kick.strongest() * step;
+        boolean isCalm = fastest < CALM * gained;
         double quiet = quietOfCrowd(fastest);
-        int passes = isCalm ? mostIfCalmAfter(length / h) : mostOfCrowd;
+        int leastPasses = fastest < SLOW * gained ? leastIfSlow : 0;
+        int passes = isCalm ? mostIfCalmAfter(length / h) : Math.max(mostOfCrowd, leastPasses);
         double error = MISSED_IN_A_CROWD * missed;
         double least = isCalm ? quiet : OF_THE_FASTEST * quiet;
         sweep.run(h, length, substep, error, quiet, least, passes);

@@ -90,7 +90,10 @@ public final class Rounds {
     /** Speed up to which contacts count as steady, as a share of a free body's gain in a step. */
     private static final double STEADY = 1e-3;
 
-    /** Least budget of an island in a substep, in multiplications: a microsecond. */
+    /**
+     * Least budget of an island in a substep of the game's length or shorter, in multiplications:
+     * some microseconds. Longer substeps have as much more, so that a step has the same.
+     */
     private static final double LEAST_WORTH = 2_500;
 
     /** Least budget of the impacts of an island in a step, in multiplications. */
@@ -148,6 +151,9 @@ public final class Rounds {
 
     private final double worthIfCalm;
 
+    /** Least budget in a substep, in multiplications. */
+    private final double leastWorth;
+
     /** Least factor of the rounds of a moving island. */
     private final double leastTimes;
 
@@ -186,6 +192,7 @@ public final class Rounds {
         // From EXACT on the budget of elimination is unlimited.
         boolean isLimited = !Effort.isExact(accuracy);
         double coarser = Math.min(1, Effort.timesGame(accuracy));
+        leastWorth = LEAST_WORTH / coarser;
         ofPasses = isLimited ? WORK_OF_PASSES : Double.POSITIVE_INFINITY;
         leastTimes = isLimited ? 1 : TIMES_UNLIMITED;
         worthIfCalm =
@@ -201,7 +208,7 @@ public final class Rounds {
         double moving = ofPasses * timesOfPasses();
         boolean isSteady = isCalm || areContactsSteady(STEADY * gained);
         double ofContact = isSteady ? Math.max(worthIfCalm, moving) : moving;
-        double worth = Math.max(LEAST_WORTH, ofContact * contacts.count);
+        double worth = Math.max(leastWorth, ofContact * contacts.count);
         return isDirect && direct.prepare(worth, this.isCalm, gained);
     }
 
