@@ -75,7 +75,7 @@ public final class Passes {
      * passes than a calm one. High heaps at {@code DRAFT} rocked on at 0.1 m/s: the passes that
      * were left to them at that speed moved loads too late, and so drove them.
      */
-    private static final double SLOW = 2;
+    private static final double SLOW = 0.5;
 
     /** Factor on {@code missed} in a crowd. */
     private static final double MISSED_IN_A_CROWD = 3;

@@ -92,7 +92,8 @@ public final class Rounds {
 
     /**
      * Least budget of an island in a substep of the game's length or shorter, in multiplications:
-     * some microseconds. Longer substeps have as much more, so that a step has the same.
+     * some microseconds. It grows with the root of the length, so that {@code DRAFT}, whose passes
+     * do not hold a column of eight boxes that rocks, eliminates it.
      */
     private static final double LEAST_WORTH = 2_500;
 
@@ -192,7 +193,7 @@ public final class Rounds {
         // From EXACT on the budget of elimination is unlimited.
         boolean isLimited = !Effort.isExact(accuracy);
         double coarser = Math.min(1, Effort.timesGame(accuracy));
-        leastWorth = LEAST_WORTH / coarser;
+        leastWorth = LEAST_WORTH / Math.sqrt(coarser);
         ofPasses = isLimited ? WORK_OF_PASSES : Double.POSITIVE_INFINITY;
         leastTimes = isLimited ? 1 : TIMES_UNLIMITED;
         worthIfCalm =

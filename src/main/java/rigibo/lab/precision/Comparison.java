@@ -7,8 +7,8 @@ import java.util.Optional;
 /** Compares our {@code GAME} with other engines at one problem. */
 final class Comparison {
 
-    /** The engine that is native code behind a Java interface. */
-    private static final String NATIVE = "gdx";
+    /** How the names of engines begin that are native code behind a Java interface. */
+    private static final List<String> NATIVE = List.of("gdx", "Box2D", "Rapier");
 
     private final Asked asked;
     private final Point game;
@@ -57,7 +57,7 @@ final class Comparison {
     /** The engine in Java with the fastest step, among those timed. */
     Optional<Point> fastestJava() {
         return others().stream()
-                .filter(other -> !other.engine().startsWith(NATIVE))
+                .filter(other -> NATIVE.stream().noneMatch(other.engine()::startsWith))
                 .filter(other -> other.timing().isPresent())
                 .min(Comparator.comparingDouble(Comparison::micros));
     }

@@ -58,7 +58,12 @@ final class PrecisionSentences {
                 + " of "
                 + comparisons.size()
                 + " problems"
-                + (less.isEmpty() ? "." : "; not in " + String.join("; ", less) + ".");
+                + (less.isEmpty()
+                        ? "."
+                        : "; where errors below what EXACT promises count as equal, others are as"
+                                + " accurate in "
+                                + String.join("; ", less)
+                                + ".");
     }
 
     private static String notMostAccurate(Comparison one) {

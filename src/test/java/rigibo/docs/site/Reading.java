@@ -20,8 +20,8 @@ record Reading(String engine, String setting, double error, double seconds) {
 
     private static final Pattern FOUND =
             Pattern.compile(
-                    "(\\w+) (?:errs by ([\\d.]+(?: × 10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?)|fails \\([^)]*\\))"
-                            + " at ([\\d.]+) (ns|µs|ms|s) a step");
+                    "((?:\\d+ )?\\w+) (?:errs by ([\\d.]+(?: × 10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?)|fails"
+                            + " \\([^)]*\\)) at ([\\d.]+) (ns|µs|ms|s) a step");
 
     private static final Pattern ENGINE = Pattern.compile("^- ([^:]+): |; ([^:;]+): ");
 

@@ -125,7 +125,8 @@ class SiteTest {
                 """
                 - DRAFT errs by 1.9 × 10⁻¹⁵ at 290 ns a step, GAME errs by 0 at 3.01 ms a step.
                 - JBox2D 2.2.1.1: default fails (disc 0 left its room) at 2.72 µs a step, \
-                finer errs by 0.10 at 1.80 µs a step; dyn4j 6.0.0: default errs by 86 at 4 s a step.
+                finer errs by 0.10 at 1.80 µs a step; dyn4j 6.0.0: default errs by 86 at 4 s a step; \
+                Box2D 3.2.0: 8 substeps errs by 2 at 3 ns a step.
                 """;
         assertThat(Reading.in(section))
                 .containsExactly(
@@ -133,7 +134,8 @@ class SiteTest {
                         new Reading("", "GAME", 0, 3.01 * 1e-3),
                         new Reading("JBox2D 2.2.1.1", "default", Double.NaN, 2.72 * 1e-6),
                         new Reading("JBox2D 2.2.1.1", "finer", 0.1, 1.8 * 1e-6),
-                        new Reading("dyn4j 6.0.0", "default", 86, 4));
+                        new Reading("dyn4j 6.0.0", "default", 86, 4),
+                        new Reading("Box2D 3.2.0", "8 substeps", 2, 3 * 1e-9));
     }
 
     @Test

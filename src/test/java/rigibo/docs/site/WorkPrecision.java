@@ -35,6 +35,8 @@ final class WorkPrecision {
     /** How an engine's readings look. */
     enum Look {
         OURS("RigiBo", Palette.BLUE, Mark.DISC),
+        BOX2D("Box2D", Palette.SKY, Mark.DOWN),
+        RAPIER("Rapier", Palette.ORANGE, Mark.HEXAGON),
         JBOX2D("JBox2D", Palette.PURPLE, Mark.SQUARE),
         DYN4J("dyn4j", Palette.GREEN, Mark.UP),
         GDX("gdx-box2d", Palette.VERMILLION, Mark.DIAMOND);
