@@ -72,8 +72,8 @@ public final class Passes {
 
     /**
      * Speed, as a share of a free body's gain of speed in a step, below which a crowd gets no fewer
-     * passes than a calm one. High heaps at {@code DRAFT} rocked on at 0.1 m/s: the passes that
-     * were left to them at that speed moved loads too late, and so drove them.
+     * passes than a calm one. High heaps at {@code DRAFT} rocked on, too fast to count as calm: the
+     * few passes that were left to them moved loads too late, and so drove them.
      */
     private static final double SLOW = 0.5;
 

@@ -7,7 +7,7 @@ import java.util.Optional;
 /** Compares our {@code GAME} with other engines at one problem. */
 final class Comparison {
 
-    /** How the names of engines begin that are native code behind a Java interface. */
+    /** How the names of engines in native code begin. */
     private static final List<String> NATIVE = List.of("gdx", "Box2D", "Rapier");
 
     private final Asked asked;

@@ -28,7 +28,7 @@ class OverlapLawTest {
     private static final Seeds SEEDS = Seeds.upTo(300);
 
     /** Scenes in which bodies meet in flight, where DRAFT does not search for impacts. */
-    private static final Seeds MEETING_AT_DRAFT = Seeds.of(51L, 80L, 199L, 258L);
+    private static final Seeds MEETING_AT_DRAFT = Seeds.of(51L, 199L, 258L);
 
     /** Share of a scene's smallest width. */
     private static final double DEEPEST = 0.02;
@@ -50,7 +50,7 @@ class OverlapLawTest {
         Laws.hold(seeds, few(preset), OverlapLawTest::shallow, begun(2900));
     }
 
-    @Disabled("DRAFT does not search for impacts in flight: 4 of 300 scenes, by up to 0.15 widths")
+    @Disabled("DRAFT does not search for impacts in flight: 3 of 300 scenes, by up to 0.15 widths")
     @Test
     void fewBodiesThatMeetHardlySinkInAtDraft() {
         Laws.hold(MEETING_AT_DRAFT, few(Preset.DRAFT), OverlapLawTest::shallow, begun(1));
