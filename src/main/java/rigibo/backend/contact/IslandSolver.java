@@ -96,6 +96,7 @@ final class IslandSolver {
     private final Landings landings;
     private final EnergyBalance balance;
     private final Repose repose;
+    private final EliminationBudget budget;
     private final Rounds rounds;
     private final Passes passes;
     private final DeclaredRows declared;
@@ -174,7 +175,8 @@ final class IslandSolver {
         ContactSweep sweep =
                 new ContactSweep(
                         data.bodies, motions, contacts, declared.rubbing(), isBlock, shared);
-        rounds = new Rounds(motions, contacts, own, guard, sweep, overlap, accuracy);
+        budget = new EliminationBudget(motions, contacts, accuracy);
+        rounds = new Rounds(motions, contacts, own, guard, sweep, overlap, budget, accuracy);
         passes = new Passes(motions, contacts, declared, kick, guard, sweep, overlap, accuracy);
     }
 
@@ -213,7 +215,7 @@ final class IslandSolver {
 
     private void advance(int island, double start, double h, double dt) {
         builder.build(island, h / 2);
-        declared.begin(h, h / 2, rounds.worthOfImpacts(substeps + 1));
+        declared.begin(h, h / 2, budget.ofImpacts(substeps + 1));
         declared.foresee(dt - start);
         warmStart.prepare();
         passes.begin(dt, substeps);

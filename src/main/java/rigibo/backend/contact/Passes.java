@@ -203,7 +203,7 @@ public final class Passes {
      */
     void begin(double dt, int substeps) {
         step = dt;
-        mostOfFew = (int) (most * Math.max(1, Rounds.timesByMass(motions)));
+        mostOfFew = (int) (most * Math.max(1, EliminationBudget.timesByMass(motions)));
         int times = Math.max(1, usual / substeps);
         mostOfCrowd = isThrifty ? most : most * times;
         mostIfCalm = Math.max(most / 2, CALM_PASSES / usual) * times;

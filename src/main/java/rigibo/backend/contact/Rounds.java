@@ -18,7 +18,7 @@ import rigibo.backend.setup.Correction;
  * measures the residual, and an elimination. An island that exceeds its budget of work is restored
  * and left to {@link Passes}.
  */
-public final class Rounds {
+final class Rounds {
 
     /** Allowed residual as a share of the fastest speed, per metre of impact tolerance. */
     private static final double SETTLED = 1e-2;
@@ -64,48 +64,6 @@ public final class Rounds {
     private static final int STALLED = 2;
 
     /**
-     * Budget of elimination as a multiple of the work of passes, for equal masses and e = 0, where
-     * passes converge quickly.
-     */
-    private static final double WORTH = 0.25;
-
-    /**
-     * Counterpart of {@link #WORTH} for a single body on immovable ones, which has three unknowns,
-     * and for islands that a driven body presses: no load can stop it.
-     */
-    private static final double WORTH_ALONE = 8;
-
-    /**
-     * Largest multiple, where passes converge slowly. A bullet would be through a box of a smaller
-     * mass before they converge, and elastic bodies do not lose the error that passes leave.
-     */
-    private static final double MOST_WORTH = 100;
-
-    /**
-     * Counterpart of {@link #WORTH} for a calm island, which rests once it is solved and then costs
-     * nothing.
-     */
-    private static final double WORTH_IF_CALM = 12;
-
-    /** Speed up to which contacts count as steady, as a share of a free body's gain in a step. */
-    private static final double STEADY = 1e-3;
-
-    /**
-     * Least budget of an island in a substep of the game's length or shorter, in multiplications:
-     * some microseconds. It grows with the root of the length, so that {@code DRAFT}, whose passes
-     * do not hold a column of eight boxes that rocks, eliminates it.
-     */
-    private static final double LEAST_WORTH = 2_500;
-
-    /** Least budget of the impacts of an island in a step, in multiplications. */
-    private static final double LEAST_WORTH_OF_IMPACTS = 1e5;
-
-    /**
-     * Work of passes per contact and substep, in multiplications: about six solutions of 60 each.
-     */
-    private static final double WORK_OF_PASSES = 6 * 60;
-
-    /**
      * Largest residual that rounds may leave, as a share of the fastest speed; islands with a
      * larger one are left to passes, which do better.
      */
@@ -132,6 +90,7 @@ public final class Rounds {
     private final EnergyGuard guard;
     private final ContactSweep sweep;
     private final OverlapSolver overlap;
+    private final EliminationBudget budget;
     private final DirectSolver direct;
     private final Halfway halfway;
     private final Halfway before;
@@ -147,14 +106,6 @@ public final class Rounds {
     /** Allowed residual as a share of the fastest speed. */
     private final double share;
 
-    /** Work of passes per contact and substep, in multiplications; infinite from EXACT on. */
-    private final double ofPasses;
-
-    private final double worthIfCalm;
-
-    /** Least budget in a substep, in multiplications. */
-    private final double leastWorth;
-
     /** Least factor of the rounds of a moving island. */
     private final double leastTimes;
 
@@ -166,13 +117,14 @@ public final class Rounds {
     /** Allowed residual in the present round, m/s. */
     private double settled;
 
-    public Rounds(
+    Rounds(
             Motions motions,
             PackedContacts contacts,
             OwnLoads own,
             EnergyGuard guard,
             ContactSweep sweep,
             OverlapSolver overlap,
+            EliminationBudget budget,
             Accuracy accuracy) {
         this.motions = motions;
         this.contacts = contacts;
@@ -180,6 +132,7 @@ public final class Rounds {
         this.guard = guard;
         this.sweep = sweep;
         this.overlap = overlap;
+        this.budget = budget;
         int substeps = accuracy.substeps();
         direct = new DirectSolver(motions, contacts, overlap, substeps);
         halfway = new Halfway(motions, contacts);
@@ -190,14 +143,7 @@ public final class Rounds {
         isCorrecting = accuracy.correction() == Correction.SOFT;
         most = LEAST_ROUNDS + substeps;
         share = SETTLED * accuracy.impactTolerance();
-        // From EXACT on the budget of elimination is unlimited.
-        boolean isLimited = !Effort.isExact(accuracy);
-        double coarser = Math.min(1, Effort.timesGame(accuracy));
-        leastWorth = LEAST_WORTH / Math.sqrt(coarser);
-        ofPasses = isLimited ? WORK_OF_PASSES : Double.POSITIVE_INFINITY;
-        leastTimes = isLimited ? 1 : TIMES_UNLIMITED;
-        worthIfCalm =
-                isLimited ? WORTH_IF_CALM * coarser * WORK_OF_PASSES : Double.POSITIVE_INFINITY;
+        leastTimes = Effort.isExact(accuracy) ? TIMES_UNLIMITED : 1;
     }
 
     /**
@@ -206,53 +152,12 @@ public final class Rounds {
      */
     boolean prepare(boolean isCalm, double gained) {
         this.isCalm = isCalm && !motions.isAnyDriven;
-        double moving = ofPasses * timesOfPasses();
-        boolean isSteady = isCalm || areContactsSteady(STEADY * gained);
-        double ofContact = isSteady ? Math.max(worthIfCalm, moving) : moving;
-        double worth = Math.max(leastWorth, ofContact * contacts.count);
-        return isDirect && direct.prepare(worth, this.isCalm, gained);
-    }
-
-    /**
-     * Whether every loaded contact persists and no other one closes: no point of theirs parts or
-     * closes faster than {@code most} m/s. Then the same rows are loaded again in the next substep,
-     * however fast bodies roll and slide.
-     */
-    private boolean areContactsSteady(double most) {
-        for (int row = 0; row < contacts.count; row++) {
-            for (int point = 0; point < contacts.points[row]; point++) {
-                double parts = motions.parting(contacts, row, point);
-                if (parts < -most || parts > most && contacts.carries(row, point)) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    }
-
-    /** Budget of a moving island, as a multiple of the work of passes. */
-    private double timesOfPasses() {
-        double elasticity = contacts.highestElasticity();
-        double lost = 1 - elasticity * elasticity;
-        double byElasticity = WORTH / Math.max(lost, 1 / MOST_WORTH);
-        double moving = Math.max(byElasticity, timesByMass(motions));
-        boolean isAlone = motions.count == 2 || motions.isAnyDriven;
-        return isAlone ? Math.max(WORTH_ALONE, moving) : moving;
-    }
-
-    /** Budget by the ratio of masses, as a multiple of the work of passes. */
-    static double timesByMass(Motions motions) {
-        return Math.min(MOST_WORTH, WORTH * motions.massRatio());
+        return isDirect && direct.prepare(budget.ofSubstep(isCalm, gained), this.isCalm, gained);
     }
 
     /** Whether the packed island is calm. */
     boolean isCalm() {
         return isCalm;
-    }
-
-    /** Budget of the impacts of a number of kicks, in multiplications. */
-    double worthOfImpacts(int kicks) {
-        return Math.max(LEAST_WORTH_OF_IMPACTS, ofPasses * kicks * contacts.count);
     }
 
     /** Discards the factorization, since the rows have changed. */
@@ -310,7 +215,10 @@ public final class Rounds {
         boolean isNewton = false;
         double last = Double.POSITIVE_INFINITY;
         double least = Double.POSITIVE_INFINITY;
-        double times = isThorough && !isCalm ? Math.max(leastTimes, timesByMass(motions)) : 1;
+        double times =
+                isThorough && !isCalm
+                        ? Math.max(leastTimes, EliminationBudget.timesByMass(motions))
+                        : 1;
         int wait = WAIT;
         int rounds = (int) (most * times);
         int passes = (int) Math.min(MOST_PASSES, times);
