@@ -2,6 +2,7 @@ package rigibo.backend.contact.joint;
 
 import rigibo.backend.contact.row.Effort;
 import rigibo.backend.setup.Accuracy;
+import rigibo.backend.setup.JointKind;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
@@ -115,21 +116,22 @@ final class TautSubsteps {
     }
 
     /**
-     * Whether an island is tauter than its loads explain: the forces on its bodies, and those that
-     * bend their paths to a radius of their width. Such an island is as long as its span, and its
-     * motion is the error of its joints.
+     * Whether an island is tauter than its loads explain: the forces on its bodies, those that bend
+     * their paths to a radius of their width, and those of its motors. Such an island is as long as
+     * its span, and its motion is the error of its joints.
      */
     boolean isWedged(int island) {
         double strongest = 0;
+        double loads = 0;
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             int joint = islands.joints[i];
-            if (joints.stiffness[joint] > 0 || joints.motorMost[joint] > 0) {
+            if (joints.stiffness[joint] > 0) {
                 return false;
             }
             double force = length(joints.reactionX[joint], joints.reactionY[joint]);
             strongest = Math.max(strongest, force);
+            loads += ofMotor(joint);
         }
-        double loads = 0;
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
             loads += load(islands.bodies[i]);
         }
@@ -145,6 +147,18 @@ final class TautSubsteps {
         double y = bodies.velocityY[slot];
         double pull = length(bodies.accelerationX[slot], bodies.accelerationY[slot]);
         return (pull + (x * x + y * y) / bodies.smallestWidth[slot]) / bodies.inverseMass[slot];
+    }
+
+    /** Largest force of a joint's motor, at an arm of its thinner body's width, N. */
+    private double ofMotor(int joint) {
+        double most = joints.motorMost[joint];
+        int kind = joints.kind[joint];
+        boolean turns = kind == JointKind.REVOLUTE.ordinal() || kind == JointKind.WHEEL.ordinal();
+        if (!turns || most == 0) {
+            return most;
+        }
+        double widthA = bodies.smallestWidth[joints.bodyA[joint]];
+        return most / Math.min(widthA, bodies.smallestWidth[joints.bodyB[joint]]);
     }
 
     /** Number of substeps that follow the vibration. */
