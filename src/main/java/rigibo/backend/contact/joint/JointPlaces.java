@@ -101,8 +101,13 @@ final class JointPlaces {
 
     /** Size of a row's joint, in units of the row, m or rad. */
     double size(int row) {
-        of(row);
-        return size() / rows.unit[row];
+        return lengthOf(row) / rows.unit[row];
+    }
+
+    /** Size of a row's joint, m. */
+    double lengthOf(int row) {
+        measure(row);
+        return size();
     }
 
     /**

@@ -35,6 +35,9 @@ final class JointRows {
     /** The places of the rows that were written. */
     final JointPlaces places;
 
+    /** How the rows hold their places in an island as long as its span. */
+    final TautPlaces taut;
+
     /** The joint whose rows are being written: its number in the island, its slot, its offsets. */
     private int joint;
 
@@ -64,6 +67,7 @@ final class JointRows {
         other = new JointGeometry(data.bodies, joints, poses);
         springs = new SpringRows(joints, rows);
         places = new JointPlaces(data, rows, packed, poses);
+        taut = new TautPlaces(rows);
     }
 
     /**
@@ -159,7 +163,15 @@ final class JointRows {
     private int equation(int row, double place) {
         rows.place[row] = place;
         rows.holdsPlace[row] = true;
-        return end(row);
+        end(row);
+        if (areTaut() && row < rows.count) {
+            taut.giveWay(row, place, places.lengthOf(row), kick, drift);
+        }
+        return row;
+    }
+
+    private boolean areTaut() {
+        return taut.areTaut() && !isAtOnce;
     }
 
     /** n·(p_b − p_a) along an axis of the world. */
@@ -270,7 +282,8 @@ final class JointRows {
         if (state != RowStates.HELD) {
             rows.lower[row] = 0;
             rows.upper[row] = state == RowStates.OPEN ? 0 : Double.POSITIVE_INFINITY;
-            rows.target[row] = -Math.max(0, gap) / drift;
+            boolean comesBack = areTaut() && gap < 0;
+            rows.target[row] = comesBack ? taut.back(-gap, drift) : -Math.max(0, gap) / drift;
         }
         rows.elasticity[row] = joints.elasticity[slot];
         end(row);

@@ -78,6 +78,7 @@ public final class JointSolver {
     private double keptKick;
 
     private final TautInertia inertia;
+    private final double tolerance;
 
     public JointSolver(
             DataStorage data,
@@ -169,6 +170,7 @@ public final class JointSolver {
                         solver,
                         results);
         substeps = accuracy.substeps();
+        tolerance = accuracy.impactTolerance();
     }
 
     /** Whether an island is too large for its contacts and limits to be eliminated. */
@@ -191,7 +193,7 @@ public final class JointSolver {
         strikes.watchNothing();
         stops.begin(2 * firstKick);
         whole.beginIsland();
-        writeAtRest(firstKick, 2 * firstKick);
+        write(firstKick, 2 * firstKick, false, true, false);
         areWritten = !contactRows.areAny();
         haveStops = contactRows.areAny() || stops.areAny();
         contactRows.write(2 * firstKick, 0);
@@ -308,27 +310,34 @@ public final class JointSolver {
      * drift of h seconds.
      */
     public void write(double kick, double h) {
-        write(kick, h, budget.isWhole(), false);
+        boolean isTaut = needed.isTaut() && budget.isWhole();
+        write(kick, h, isTaut, false, isTaut);
     }
 
     /** Writes the rows likewise, for a kick after which nothing drifts. */
     public void writeAtRest(double kick, double h) {
-        write(kick, h, false, true);
+        write(kick, h, false, true, needed.isTaut() && budget.isWhole());
     }
 
     /**
-     * Writes the rows; a body under too much tension gets a larger inertia if {@code mayAnswer}.
+     * Writes the rows; bodies under too much tension get a larger inertia if {@code mayAnswer}, and
+     * hinges without a load that explains it give way if {@code mayGiveWay}.
      */
-    private void write(double kick, double h, boolean mayAnswer, boolean isLast) {
+    private void write(
+            double kick, double h, boolean mayAnswer, boolean isLast, boolean mayGiveWay) {
         share = kicked == 0 ? 0 : kick / kicked;
         poses.take(0);
-        if (needed.isTaut() && mayAnswer && kicked > 0) {
-            inertia.stiffen(kicked, h);
+        if (mayAnswer && kicked > 0) {
+            inertia.stiffen(kicked, h, needed.isWedged());
         } else if (needed.isTaut()) {
             inertia.release();
         }
         kicked = kick;
+        if (mayGiveWay && needed.isWedged()) {
+            jointRows.taut.begin(needed.loads(), tolerance);
+        }
         writeRows(kick, h, isLast);
+        jointRows.taut.rest();
         results.keepArms(poses);
     }
 
@@ -390,13 +399,9 @@ public final class JointSolver {
         return before < HARDLY * fastest ? FINER : 1;
     }
 
-    /**
-     * Whether overlap is removed here. It is not in a small island where only axes are locked, or
-     * which is too taut: joints of a straight bridge hold nearly everything that a push would move,
-     * and the rest would be lifted without a force.
-     */
+    /** Whether overlap is removed here. It is not in a small island where only axes are locked. */
     public boolean takesOverlapBack() {
-        return !budget.isWhole() || packed.count > 0 && !needed.isTaut();
+        return !budget.isWhole() || packed.count > 0;
     }
 
     /** Removes overlap with joints held, after a drift of h seconds. */

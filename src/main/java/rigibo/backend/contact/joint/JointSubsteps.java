@@ -47,8 +47,8 @@ public final class JointSubsteps {
      * than that if the island is too taut for any number.
      */
     public int of(int island, double dt, int usual) {
-        isTaut = mayStiffen && taut.isBeyond(island, dt, usual);
-        isWedged = isTaut && taut.isWedged(island);
+        isWedged = mayStiffen && taut.isWedged(island, dt, usual);
+        isTaut = isWedged || mayStiffen && taut.isBeyond(island, dt, usual);
         return isTaut ? usual : taut.count(island, dt, usual);
     }
 
@@ -86,6 +86,11 @@ public final class JointSubsteps {
     /** Whether it is too taut, and no load explains that. */
     public boolean isWedged() {
         return isTaut && isWedged;
+    }
+
+    /** Sum of the forces on the bodies of a wedged island, N. */
+    double loads() {
+        return taut.loads();
     }
 
     /** Begins a packed island; a crowd is solved in passes, however taut it is. */

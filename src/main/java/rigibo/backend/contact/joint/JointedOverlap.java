@@ -63,9 +63,11 @@ final class JointedOverlap {
         this.accuracy = accuracy;
     }
 
-    /** Removes overlap after a drift of h seconds. */
-    void correct(double h) {
-        if (!find(h)) {
+    /**
+     * Removes overlap after a drift of h seconds, if any is deeper than {@code least}, in widths.
+     */
+    void correct(double h, double least) {
+        if (!find(h, least)) {
             return;
         }
         int length = motions.count * Motions.STRIDE;
@@ -91,21 +93,22 @@ final class JointedOverlap {
 
     /**
      * Lists the points that overlap, and those that others could be moved into; returns whether any
-     * overlap is to be removed.
+     * overlaps by more than {@code least} widths.
      */
-    private boolean find(double h) {
+    private boolean find(double h, double least) {
         count = 0;
         boolean isAny = false;
         double kept = KeptOverlap.of(contacts.areCrowd(), accuracy);
         for (int row = 0; row < rows.count; row++) {
             if (rows.isPoint(row)) {
-                isAny |= find(row, kept, h);
+                isAny |= find(row, kept, h) > least;
             }
         }
         return isAny;
     }
 
-    private boolean find(int row, double kept, double h) {
+    /** Lists a point if need be; returns its overlap beyond what is kept, in widths. */
+    private double find(int row, double kept, double h) {
         int contact = rows.contact[row];
         int at = contact * PackedContacts.STRIDE;
         double width = contacts.data[at + PackedContacts.WIDTH];
@@ -123,7 +126,7 @@ final class JointedOverlap {
             wanted[count] = parts > 0 ? parts : -Math.max(0, left);
             push[count++] = 0;
         }
-        return parts > 0;
+        return -left / width;
     }
 
     private void reserve(int length) {

@@ -2,8 +2,6 @@ package rigibo.backend.contact.joint;
 
 import static rigibo.backend.contact.row.Motions.DX;
 import static rigibo.backend.contact.row.Motions.DY;
-import static rigibo.backend.contact.row.Motions.INVERSE_INERTIA;
-import static rigibo.backend.contact.row.Motions.INVERSE_MASS;
 import static rigibo.backend.contact.row.Motions.STRIDE;
 import static rigibo.backend.contact.row.Motions.TURN;
 
@@ -21,12 +19,6 @@ final class PlaceRecovery {
 
     /** Error that is removed at once, m per metre of the joint's arms. */
     private static final double SMALL = 1e-4;
-
-    /**
-     * Error that is kept in an island that is too taut, as a share of the tolerance, m per metre of
-     * the joint's arms; removing it would lift a sagging bridge without a force.
-     */
-    private static final double KEPT = 0.1;
 
     /**
      * Displacement that is always allowed, as a multiple of the largest error of an equation.
@@ -52,9 +44,6 @@ final class PlaceRecovery {
     private final RowElimination elimination;
     private final Displacement moved;
     private final double tolerance;
-
-    /** Error that is kept in the present island, m per metre of the joint's arms. */
-    private double kept;
 
     /** By row: the displacement that is asked for, m or rad. */
     private double[] wanted = new double[64];
@@ -86,7 +75,6 @@ final class PlaceRecovery {
     /** Moves bodies after a drift of h seconds. */
     void correct(double h) {
         double most = mostWay(h);
-        kept = 0;
         if (asks(h) && !closesOnContacts(most)) {
             closeWithoutContacts(most);
         }
@@ -97,15 +85,6 @@ final class PlaceRecovery {
         boolean isNear = farthest <= most;
         if (!isNear && !closesEquations(most, farthest)) {
             giveWayMoreAndMore(most);
-        }
-    }
-
-    /** Moves the bodies of an island that is too taut for its joints to be closed at once. */
-    void correctTaut(double h) {
-        kept = KEPT * tolerance;
-        if (asks(h)) {
-            double most = mostWay(h);
-            giveWay(Math.max(NeutralRows.REGULAR, give(most)), most);
         }
     }
 
@@ -183,11 +162,10 @@ final class PlaceRecovery {
         double place = jointPlaces.of(row);
         double off = rows.isEquation(row) ? place : Math.min(0, place);
         double size = jointPlaces.size() / rows.unit[row];
-        double over = Math.copySign(Math.max(0, Math.abs(off) - kept * size), off);
         double most = Math.max(SMALL, Recovery.MOST_PUSH * Math.abs(h)) * size;
-        wanted[row] = -Math.max(-most, Math.min(most, over));
+        wanted[row] = -Math.max(-most, Math.min(most, off));
         double missed = JointPlaces.MISSED * tolerance * size;
-        return Math.abs(over) > missed + 2 * jointPlaces.roundOff() / rows.unit[row];
+        return Math.abs(off) > missed + 2 * jointPlaces.roundOff() / rows.unit[row];
     }
 
     /** Removes contacts from the set; overlap that results is removed separately. */
@@ -279,41 +257,6 @@ final class PlaceRecovery {
             moved.scaleAll(most / farthest);
         }
         return farthest <= most;
-    }
-
-    /**
-     * Compliance of rows, as a share g of their responses D, with which no outline moves farther
-     * than {@code most}. With x = (K + g·D)⁻¹·b, bodies move by M⁻¹·Jᵀ·x. The sum Σ m·s² of all
-     * moves is xᵀ·K·x, which is at most bᵀ·D⁻¹·b/4g for any K, since σ/(σ + g)² is greatest at σ =
-     * g. So an outline of mass m, inertia I and reach r moves no farther than √(2/m + r²/I) times
-     * the root of that.
-     */
-    private double give(double most) {
-        double asked = 0;
-        double lightest = 0;
-        for (int row = 0; row < rows.count; row++) {
-            if (elimination.isIn(row)) {
-                asked += wanted[row] * wanted[row] / rows.response[row];
-                lightest = Math.max(lightest, lightest(row));
-            }
-        }
-        return Math.min(MOST_GIVE, asked * lightest / (4 * most * most));
-    }
-
-    /** Greatest 2/m + r²/I of a row's bodies, divided by the square of the reach, 1/(kg·m²). */
-    private double lightest(int row) {
-        double most = 0;
-        for (int k = 0; k < rows.bodies[row]; k++) {
-            int at = rows.body[row * NeutralRows.BODIES + k];
-            int entry = at / STRIDE;
-            double reach = motions.reach[entry];
-            double inertia = motions.data[at + INVERSE_INERTIA];
-            double turning = inertia == 0 ? 0 : reach * reach * inertia;
-            double radius = bodies.boundingRadius[motions.slots[entry]];
-            double moving = 2 * motions.data[at + INVERSE_MASS];
-            most = Math.max(most, (moving + turning) / (radius * radius));
-        }
-        return most;
     }
 
     /** Moves outlines as asked; returns the largest displacement, as a share of the reach. */

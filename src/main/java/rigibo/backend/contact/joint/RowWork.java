@@ -63,12 +63,15 @@ final class RowWork {
         }
     }
 
-    /** Work of contacts and of rows that hold places since {@link #begin}, J. They may do none. */
+    /**
+     * Work of contacts and of rows that hold places since {@link #begin}, J. They may do none,
+     * except for taut joints at the speeds at which they close.
+     */
     double sum() {
         double sum = 0;
         for (int row = 0; row < rows.count; row++) {
             boolean mayDoNone = rows.holdsPlace[row] || rows.contact[row] != NeutralRows.NONE;
-            sum += rows.impulse[row] != 0 && mayDoNone ? of(row) : 0;
+            sum += rows.impulse[row] != 0 && mayDoNone ? of(row) - ofClosing(row) : 0;
         }
         return sum;
     }
@@ -108,6 +111,13 @@ final class RowWork {
         }
         double energy = motions.energy(motions.data);
         return Math.abs(energy - freeEnergy - sum) <= ENERGY_ROUND_OFF * (energy + freeEnergy);
+    }
+
+    /** Work of a taut joint at the speed that it aims at, J. */
+    private double ofClosing(int row) {
+        double impulse = rows.impulse[row];
+        boolean mayClose = rows.holdsPlace[row] && rows.isEquation(row);
+        return mayClose ? impulse * (rows.target[row] - rows.give[row] * impulse) : 0;
     }
 
     private double of(int row) {

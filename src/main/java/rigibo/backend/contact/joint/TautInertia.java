@@ -20,6 +20,12 @@ final class TautInertia {
     /** Square of the phase up to which kicks follow, rad², as in {@link TautSubsteps}. */
     private static final double FOLLOWED = TautSubsteps.MOST_PHASE * TautSubsteps.MOST_PHASE;
 
+    /**
+     * Multiple of h²·Σ(r·F) that is added where no load explains the tension. The vibration there
+     * is that of hinges that close, and what it turns links by opens them further.
+     */
+    private static final double WEDGED = 8;
+
     private static final int REVOLUTE = JointKind.REVOLUTE.ordinal();
     private static final int WELD = JointKind.WELD.ordinal();
 
@@ -60,9 +66,10 @@ final class TautInertia {
 
     /**
      * Sets the inertia of bodies, whose present poses are taken, for a kick before a drift of h
-     * seconds, by the impulses of joints in the last kick, which lasted {@code lastKick} seconds.
+     * seconds, by the impulses of joints in the last kick, which lasted {@code lastKick} seconds;
+     * {@code isWedged} if no load explains them.
      */
-    void stiffen(double lastKick, double h) {
+    void stiffen(double lastKick, double h, boolean isWedged) {
         Arrays.fill(stiffness, 0, motions.count, 0);
         for (int i = 0; i < packed.count; i++) {
             int slot = packed.slot[i];
@@ -73,7 +80,8 @@ final class TautInertia {
         for (int entry = 1; entry < motions.count; entry++) {
             int at = entry * Motions.STRIDE;
             double square = h * h * stiffness[entry] * inverseInertia[entry];
-            double share = square > FOLLOWED ? 1 / (1 + square - FOLLOWED) : 1;
+            double over = isWedged ? WEDGED * square : square - FOLLOWED;
+            double share = 1 / (1 + Math.max(0, over));
             motions.data[at + Motions.INVERSE_INERTIA] = share * inverseInertia[entry];
             motions.data[at + Motions.SPIN] *= share;
         }

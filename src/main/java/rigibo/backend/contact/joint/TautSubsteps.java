@@ -60,6 +60,8 @@ final class TautSubsteps {
     /** Number of substeps that tension needs above which passes over contacts do not suffice. */
     private static final double TIGHT = 2;
 
+    private static final int REVOLUTE = JointKind.REVOLUTE.ordinal();
+
     private final Bodies bodies;
     private final JointStore joints;
     private final Islands islands;
@@ -69,6 +71,9 @@ final class TautSubsteps {
 
     /** Factor on the substeps that tension needs if anything touches. */
     private final double finerIfTouched;
+
+    /** Sum of the forces on the bodies of the last wedged island, N. */
+    private double loads;
 
     /** By slot: the square of its angular frequency under tension, 1/s². */
     private double[] square = new double[16];
@@ -111,54 +116,70 @@ final class TautSubsteps {
         if (wanted <= MOST_FOLLOWED * usual) {
             return false;
         }
-        boolean isFollowed = !areMany(island) && !meetsOthers(island) && !isWedged(island);
+        boolean isFollowed = !areMany(island) && !meetsOthers(island);
         return !isFollowed || wanted > MOST_MORE * usual;
     }
 
     /**
      * Whether an island is tauter than its loads explain: the forces on its bodies, those that bend
-     * their paths to a radius of their width, and those of its motors. Such an island is as long as
-     * its span, and its motion is the error of its joints.
+     * their paths to a radius of their width, and those of its motors and springs. Such an island
+     * is as long as its span, and its motion is the error of its joints. It vibrates faster than
+     * its usual substeps follow, unlike one in which a limit was struck.
      */
-    boolean isWedged(int island) {
+    boolean isWedged(int island, double dt, int usual) {
+        return wanted(island, dt) > usual && isUnexplained(island);
+    }
+
+    private boolean isUnexplained(int island) {
         double strongest = 0;
-        double loads = 0;
+        loads = 0;
+        double others = 0;
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             int joint = islands.joints[i];
-            if (joints.stiffness[joint] > 0) {
-                return false;
-            }
             double force = length(joints.reactionX[joint], joints.reactionY[joint]);
             strongest = Math.max(strongest, force);
-            loads += ofMotor(joint);
+            others += ofMotor(joint) + ofSpring(joint, force);
         }
         for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
-            loads += load(islands.bodies[i]);
+            int slot = islands.bodies[i];
+            if (bodies.inverseMass[slot] > 0) {
+                double x = bodies.velocityX[slot];
+                double y = bodies.velocityY[slot];
+                double pull = length(bodies.accelerationX[slot], bodies.accelerationY[slot]);
+                loads += pull / bodies.inverseMass[slot];
+                others += (x * x + y * y) / (bodies.smallestWidth[slot] * bodies.inverseMass[slot]);
+            }
         }
-        return strongest > MOST_LOADS * loads;
+        return strongest > MOST_LOADS * (loads + others);
     }
 
-    /** Largest force on a body, including the one that bends its path, N. */
-    private double load(int slot) {
-        if (!(bodies.inverseMass[slot] > 0)) {
-            return 0;
-        }
-        double x = bodies.velocityX[slot];
-        double y = bodies.velocityY[slot];
-        double pull = length(bodies.accelerationX[slot], bodies.accelerationY[slot]);
-        return (pull + (x * x + y * y) / bodies.smallestWidth[slot]) / bodies.inverseMass[slot];
+    /** Sum of the forces on the bodies of the last wedged island, N. */
+    double loads() {
+        return loads;
     }
 
-    /** Largest force of a joint's motor, at an arm of its thinner body's width, N. */
+    /** Largest force of a joint's motor, N. */
     private double ofMotor(int joint) {
         double most = joints.motorMost[joint];
         int kind = joints.kind[joint];
-        boolean turns = kind == JointKind.REVOLUTE.ordinal() || kind == JointKind.WHEEL.ordinal();
-        if (!turns || most == 0) {
-            return most;
+        boolean turns = kind == REVOLUTE || kind == JointKind.WHEEL.ordinal();
+        return turns && most > 0 ? atWidth(joint, most) : most;
+    }
+
+    /** Largest force of a joint's spring, N, in a joint that pulled with a force in N. */
+    private double ofSpring(int joint, double force) {
+        if (!(joints.stiffness[joint] > 0)) {
+            return 0;
         }
+        int kind = joints.kind[joint];
+        boolean turns = kind == REVOLUTE || kind == JointKind.WELD.ordinal();
+        return turns ? atWidth(joint, Math.abs(joints.reactionTurn[joint])) : force;
+    }
+
+    /** Force of a torque at an arm of the thinner body's width, N. */
+    private double atWidth(int joint, double torque) {
         double widthA = bodies.smallestWidth[joints.bodyA[joint]];
-        return most / Math.min(widthA, bodies.smallestWidth[joints.bodyB[joint]]);
+        return torque / Math.min(widthA, bodies.smallestWidth[joints.bodyB[joint]]);
     }
 
     /** Number of substeps that follow the vibration. */

@@ -11,6 +11,12 @@ final class WholeSolver {
     /** Residual that counts as solved, as a share of the fastest speed, per metre of tolerance. */
     private static final double SETTLED = 1e-3;
 
+    /**
+     * Overlap that is left in an island too taut, where each push asks for an elimination, in
+     * widths.
+     */
+    private static final double UNTOLD = 1e-3;
+
     /** Compliances of friction if rows have no solution otherwise, as shares of its response. */
     private static final double[] GIVES_WAY = {1e-3, 0.1};
 
@@ -154,14 +160,13 @@ final class WholeSolver {
 
     /** Removes overlap with joints held, after a drift of h seconds. */
     void correctOverlap(double h) {
-        overlap.correct(h);
+        overlap.correct(h, needed.isWedged() ? UNTOLD : 0);
     }
 
     /** Removes the position errors of joints by moving bodies, after a drift of h seconds. */
     void correctPlaces(double h) {
-        if (needed.isWedged()) {
-            recovery.correctTaut(h);
-        } else {
+        // Taut joints close by themselves.
+        if (!needed.isWedged()) {
             recovery.correct(h);
         }
     }
