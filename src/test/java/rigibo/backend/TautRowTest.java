@@ -3,6 +3,7 @@ package rigibo.backend;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -13,6 +14,7 @@ import rigibo.backend.geometry.Polygon;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Filter;
+import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Material;
 
 import java.util.ArrayList;
@@ -82,11 +84,33 @@ class TautRowTest {
         assertThat(sag).isCloseTo(expected, within(0.2 * expected));
     }
 
+    /** A motor that pulls 200 times as hard as the row weighs explains its tension. */
+    @Test
+    void rowThatAMotorPullsStaysClosed() {
+        Pool pool = new Pool(Effects.usual().with(new Joints()), Accuracy.GAME);
+        RigidBody hook = lay(pool, 10, 0);
+        pool.remove(hook);
+        RigidBody last = planks.get(planks.size() - 1);
+        double force = 200 * 10 * last.mass() * GRAVITY;
+        RigidBody wall = hook(pool, 10);
+        pool.join(new MotorJoint(wall, last, 1, 0, 0, force, 0, JointSettings.NONE));
+        for (int step = 0; step < 120; step++) {
+            pool.step(DT);
+        }
+        Joint first = pool.joints().get(0);
+        assertThat(first.reactionForce()).isCloseTo(force, within(0.01 * force));
+        for (Joint joint : pool.joints()) {
+            // The error that a joint may have at GAME; springs would be 9 µm apart.
+            assertThat(joint.error()).isLessThan(1e-6);
+        }
+    }
+
     private static double energy(Pool pool) {
         return pool.kineticEnergy() + pool.potentialEnergy();
     }
 
-    private void lay(Pool pool, int count, double friction) {
+    /** Lays planks between two hooks; returns the right one. */
+    private RigidBody lay(Pool pool, int count, double friction) {
         double left = -count * LENGTH / 2;
         RigidBody before = hook(pool, left);
         for (int i = 0; i < count; i++) {
@@ -99,7 +123,9 @@ class TautRowTest {
             planks.add(plank);
             before = plank;
         }
-        hinge(pool, before, hook(pool, -left), -left, friction);
+        RigidBody right = hook(pool, -left);
+        hinge(pool, before, right, -left, friction);
+        return right;
     }
 
     private static void hinge(Pool pool, RigidBody a, RigidBody b, double x, double friction) {

@@ -193,7 +193,7 @@ public final class JointSolver {
         strikes.watchNothing();
         stops.begin(2 * firstKick);
         whole.beginIsland();
-        write(firstKick, 2 * firstKick, false, true, false);
+        write(firstKick, 2 * firstKick, true, false);
         areWritten = !contactRows.areAny();
         haveStops = contactRows.areAny() || stops.areAny();
         contactRows.write(2 * firstKick, 0);
@@ -310,30 +310,28 @@ public final class JointSolver {
      * drift of h seconds.
      */
     public void write(double kick, double h) {
-        boolean isTaut = needed.isTaut() && budget.isWhole();
-        write(kick, h, isTaut, false, isTaut);
+        write(kick, h, false, budget.isWhole());
     }
 
     /** Writes the rows likewise, for a kick after which nothing drifts. */
     public void writeAtRest(double kick, double h) {
-        write(kick, h, false, true, needed.isTaut() && budget.isWhole());
+        write(kick, h, true, budget.isWhole());
     }
 
     /**
-     * Writes the rows; bodies under too much tension get a larger inertia if {@code mayAnswer}, and
-     * hinges without a load that explains it give way if {@code mayGiveWay}.
+     * Writes the rows. If the island is solved whole, bodies under too much tension get a larger
+     * inertia before they drift, and joints whose tension no load explains give way.
      */
-    private void write(
-            double kick, double h, boolean mayAnswer, boolean isLast, boolean mayGiveWay) {
+    private void write(double kick, double h, boolean isLast, boolean isSolvedWhole) {
         share = kicked == 0 ? 0 : kick / kicked;
         poses.take(0);
-        if (mayAnswer && kicked > 0) {
+        if (needed.isTaut() && isSolvedWhole && !isLast && kicked > 0) {
             inertia.stiffen(kicked, h, needed.isWedged());
         } else if (needed.isTaut()) {
             inertia.release();
         }
         kicked = kick;
-        if (mayGiveWay && needed.isWedged()) {
+        if (isSolvedWhole && needed.isWedged()) {
             jointRows.taut.begin(needed.loads(), tolerance);
         }
         writeRows(kick, h, isLast);

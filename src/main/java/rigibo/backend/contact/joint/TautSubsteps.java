@@ -160,8 +160,11 @@ final class TautSubsteps {
 
     /** Largest force of a joint's motor, N. */
     private double ofMotor(int joint) {
-        double most = joints.motorMost[joint];
         int kind = joints.kind[joint];
+        if (kind == JointKind.MOTOR.ordinal()) {
+            return joints.parameter[JointStore.MOST_FORCE][joint];
+        }
+        double most = joints.motorMost[joint];
         boolean turns = kind == REVOLUTE || kind == JointKind.WHEEL.ordinal();
         return turns && most > 0 ? atWidth(joint, most) : most;
     }
