@@ -16,6 +16,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Filter;
 import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.Material;
+import rigibo.lab.hardcase.Preset;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -50,9 +51,8 @@ class TautRowTest {
         "FINE, 10, 0",
         "FINE, 25, 0"
     })
-    void sagsByTheGapsOfItsHingesAndRests(String preset, int count, double friction)
-            throws ReflectiveOperationException {
-        Accuracy accuracy = (Accuracy) Accuracy.class.getField(preset).get(null);
+    void sagsByTheGapsOfItsHingesAndRests(Preset preset, int count, double friction) {
+        Accuracy accuracy = preset.accuracy();
         Pool pool = new Pool(Effects.usual().with(new Joints()), accuracy);
         lay(pool, count, friction);
         RigidBody box =
@@ -63,7 +63,7 @@ class TautRowTest {
                                 .material(new Material(1, 0.8, 0)));
         double aimed = 0.1 * accuracy.impactTolerance() * LENGTH;
         double energy = energy(pool);
-        double share = accuracy.equals(Accuracy.DRAFT) ? GAINED_AT_DRAFT : GAINED;
+        double share = preset == Preset.DRAFT ? GAINED_AT_DRAFT : GAINED;
         double most = share * box.mass() * GRAVITY * LENGTH;
         int steps = 0;
         while (pool.report().awake() > 0 || steps == 0) {

@@ -11,6 +11,7 @@ import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.contact.row.PackedIsland;
 import rigibo.backend.setup.Accuracy;
+import rigibo.lab.hardcase.Preset;
 
 /** Columns of bodies, and multiples of what passes over their contacts take. */
 class EliminationBudgetTest {
@@ -83,8 +84,8 @@ class EliminationBudgetTest {
     /** At DRAFT, of four times the length, a small island is worth twice as much. */
     @ParameterizedTest
     @CsvSource({"DRAFT, 5000", "GAME, 2500", "FINE, 2500"})
-    void smallIslandIsWorthSomeMicroseconds(String preset, double least) {
-        EliminationBudget budget = column(2, 1, preset(preset));
+    void smallIslandIsWorthSomeMicroseconds(Preset preset, double least) {
+        EliminationBudget budget = column(2, 1, preset.accuracy());
         part(-1);
         assertThat(budget.ofSubstep(false, GAINED)).isEqualTo(least);
     }
@@ -92,8 +93,8 @@ class EliminationBudgetTest {
     /** Twelve times the passes at GAME, and in proportion to the substeps below. */
     @ParameterizedTest
     @CsvSource({"DRAFT, 3", "GAME, 12", "FINE, 12"})
-    void calmIslandIsWorthMore(String preset, double times) {
-        EliminationBudget budget = column(100, 1, preset(preset));
+    void calmIslandIsWorthMore(Preset preset, double times) {
+        EliminationBudget budget = column(100, 1, preset.accuracy());
         part(-1);
         assertThat(budget.ofSubstep(true, GAINED)).isCloseTo(times * 100 * OF_PASSES, within(1e-6));
     }
@@ -131,13 +132,5 @@ class EliminationBudgetTest {
         assertThat(budget.ofSubstep(false, GAINED)).isInfinite();
         assertThat(budget.ofSubstep(true, GAINED)).isInfinite();
         assertThat(budget.ofImpacts(1)).isInfinite();
-    }
-
-    private static Accuracy preset(String name) {
-        return switch (name) {
-            case "DRAFT" -> Accuracy.DRAFT;
-            case "GAME" -> Accuracy.GAME;
-            default -> Accuracy.FINE;
-        };
     }
 }

@@ -22,8 +22,14 @@ public final class JointSubsteps {
     /** Whether the island vibrates faster than its substeps follow. */
     private boolean isTaut;
 
-    /** Whether it does so without a load that explains it. */
+    /**
+     * Whether it does so without a load that explains it, unlike an island in which a limit was
+     * struck.
+     */
     private boolean isWedged;
+
+    /** Sum of the forces on its bodies, N; 0 if its substeps follow it. */
+    private double loads;
 
     JointSubsteps(
             DataStorage data,
@@ -47,9 +53,12 @@ public final class JointSubsteps {
      * than that if the island is too taut for any number.
      */
     public int of(int island, double dt, int usual) {
-        isWedged = mayStiffen && taut.isWedged(island, dt, usual);
-        isTaut = isWedged || mayStiffen && taut.isBeyond(island, dt, usual);
-        return isTaut ? usual : taut.count(island, dt, usual);
+        double wanted = taut.wanted(island, dt);
+        boolean isFast = mayStiffen && wanted > usual;
+        loads = isFast ? taut.loads(island) : 0;
+        isWedged = isFast && taut.isUnexplained(island, loads);
+        isTaut = isWedged || mayStiffen && taut.isBeyond(island, wanted, usual);
+        return isTaut ? usual : taut.count(island, wanted, usual);
     }
 
     /** Whether bodies of an island are light compared with their load. */
@@ -90,7 +99,7 @@ public final class JointSubsteps {
 
     /** Sum of the forces on the bodies of a wedged island, N. */
     double loads() {
-        return taut.loads();
+        return loads;
     }
 
     /** Begins a packed island; a crowd is solved in passes, however taut it is. */

@@ -40,8 +40,8 @@ final class TautSubsteps {
 
     /**
      * Most substeps, as a multiple of the usual number, that are worth following at the accuracy of
-     * a game if anything touches, if no load explains the tension (as of a straight bridge), and in
-     * islands of many bodies. An island that would need more may just as well stand still.
+     * a game if anything touches, and in islands of many bodies. An island that would need more may
+     * just as well stand still.
      */
     private static final int MOST_FOLLOWED = 2;
 
@@ -72,9 +72,6 @@ final class TautSubsteps {
     /** Factor on the substeps that tension needs if anything touches. */
     private final double finerIfTouched;
 
-    /** Sum of the forces on the bodies of the last wedged island, N. */
-    private double loads;
-
     /** By slot: the square of its angular frequency under tension, 1/s². */
     private double[] square = new double[16];
 
@@ -87,19 +84,15 @@ final class TautSubsteps {
         islands = data.islands;
     }
 
-    /**
-     * Number of substeps of an island for a step of dt seconds, by the impulses of its joints in
-     * the last step.
-     */
-    int count(int island, double dt, int usual) {
+    /** Number of substeps of an island that wants some to follow its vibration. */
+    int count(int island, double wanted, int usual) {
         if (areMany(island)) {
             return usual;
         }
         boolean isTouched = meetsOthers(island);
         int most = isTouched ? mostMoreIfTouched : MOST_MORE;
         double finer = isTouched ? finerIfTouched : 1;
-        double wanted = Math.min(most * usual, finer * wanted(island, dt));
-        return (int) Math.ceil(Math.max(usual, wanted));
+        return (int) Math.ceil(Math.max(usual, Math.min(most * usual, finer * wanted)));
     }
 
     /**
@@ -111,8 +104,7 @@ final class TautSubsteps {
     }
 
     /** Whether an island vibrates faster than is worth following. */
-    boolean isBeyond(int island, double dt, int usual) {
-        double wanted = wanted(island, dt);
+    boolean isBeyond(int island, double wanted, int usual) {
         if (wanted <= MOST_FOLLOWED * usual) {
             return false;
         }
@@ -123,16 +115,12 @@ final class TautSubsteps {
     /**
      * Whether an island is tauter than its loads explain: the forces on its bodies, those that bend
      * their paths to a radius of their width, and those of its motors and springs. Such an island
-     * is as long as its span, and its motion is the error of its joints. It vibrates faster than
-     * its usual substeps follow, unlike one in which a limit was struck.
+     * is as long as its span, and its motion is the error of its joints.
+     *
+     * @param loads the forces on its bodies, N
      */
-    boolean isWedged(int island, double dt, int usual) {
-        return wanted(island, dt) > usual && isUnexplained(island);
-    }
-
-    private boolean isUnexplained(int island) {
+    boolean isUnexplained(int island, double loads) {
         double strongest = 0;
-        loads = 0;
         double others = 0;
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             int joint = islands.joints[i];
@@ -145,17 +133,23 @@ final class TautSubsteps {
             if (bodies.inverseMass[slot] > 0) {
                 double x = bodies.velocityX[slot];
                 double y = bodies.velocityY[slot];
-                double pull = length(bodies.accelerationX[slot], bodies.accelerationY[slot]);
-                loads += pull / bodies.inverseMass[slot];
                 others += (x * x + y * y) / (bodies.smallestWidth[slot] * bodies.inverseMass[slot]);
             }
         }
         return strongest > MOST_LOADS * (loads + others);
     }
 
-    /** Sum of the forces on the bodies of the last wedged island, N. */
-    double loads() {
-        return loads;
+    /** Sum of the forces on the bodies of an island, N. */
+    double loads(int island) {
+        double sum = 0;
+        for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+            int slot = islands.bodies[i];
+            if (bodies.inverseMass[slot] > 0) {
+                double pull = length(bodies.accelerationX[slot], bodies.accelerationY[slot]);
+                sum += pull / bodies.inverseMass[slot];
+            }
+        }
+        return sum;
     }
 
     /** Largest force of a joint's motor, N. */
@@ -185,8 +179,11 @@ final class TautSubsteps {
         return torque / Math.min(widthA, bodies.smallestWidth[joints.bodyB[joint]]);
     }
 
-    /** Number of substeps that follow the vibration. */
-    private double wanted(int island, double dt) {
+    /**
+     * Number of substeps that follow the vibration in a step of dt seconds, by the impulses of
+     * joints in the last step.
+     */
+    double wanted(int island, double dt) {
         return Math.sqrt(square(island)) * dt / MOST_PHASE;
     }
 
