@@ -22,11 +22,14 @@ final class EliminationBudget {
      */
     private static final double WORTH_ALONE = 8;
 
+    /** Largest worth by elasticity: elastic bodies do not lose the error that passes leave. */
+    private static final double MOST_BY_ELASTICITY = 100;
+
     /**
-     * Largest multiple, where passes converge slowly. A bullet would be through a box of a smaller
-     * mass before they converge, and elastic bodies do not lose the error that passes leave.
+     * Largest worth by the ratio of masses: a bullet would be through a box of a smaller mass
+     * before passes converge.
      */
-    private static final double MOST_WORTH = 100;
+    private static final double MOST_BY_MASS = 300;
 
     /**
      * Counterpart of {@link #WORTH} for a calm island, which rests once it is solved and then costs
@@ -80,14 +83,14 @@ final class EliminationBudget {
 
     /** Budget by the ratio of masses, as a multiple of the work of passes. */
     static double timesByMass(Motions motions) {
-        return Math.min(MOST_WORTH, WORTH * motions.massRatio());
+        return Math.min(MOST_BY_MASS, WORTH * motions.massRatio());
     }
 
     /** Budget of a moving island, as a multiple of the work of passes. */
     private double timesOfPasses() {
         double elasticity = contacts.highestElasticity();
         double lost = 1 - elasticity * elasticity;
-        double byElasticity = WORTH / Math.max(lost, 1 / MOST_WORTH);
+        double byElasticity = WORTH / Math.max(lost, 1 / MOST_BY_ELASTICITY);
         double moving = Math.max(byElasticity, timesByMass(motions));
         boolean isAlone = motions.count == 2 || motions.isAnyDriven;
         return isAlone ? Math.max(WORTH_ALONE, moving) : moving;

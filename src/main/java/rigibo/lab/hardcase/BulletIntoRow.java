@@ -11,15 +11,26 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * A disc of 1 to 10⁴ times a box's mass flies at 50 to 2,000 m/s into a row of boxes that lean on a
- * wall of 1 mm to 1 m. Truth: nothing passes through the wall or the floor, and the disc passes
- * through no box; bodies may go over the wall. Where nothing can give way, the boxes overlap, and
- * the engine reports it.
+ * A disc of up to 10⁴ times a box's mass flies at up to 2,000 m/s into a row of up to five boxes
+ * that lean on a wall of 1 mm to 1 m. Truth: nothing passes through the wall or the floor, and the
+ * disc passes through no box; bodies may go over the wall. Where nothing can give way, the boxes
+ * overlap, and the engine reports it.
+ *
+ * @param leastRatio the least mass of the disc, as a multiple of a box's
+ * @param leastSpeed its least speed, m/s
+ * @param leastBoxes the least number of boxes
  */
-final class BulletIntoRow implements Scenes {
+record BulletIntoRow(double leastRatio, double leastSpeed, int leastBoxes) implements Scenes {
+
+    /** Bullets of any mass and speed into any row. */
+    static final BulletIntoRow ANY = new BulletIntoRow(1, 50, 1);
+
+    /** Heavy and fast bullets into long rows: those that are hardest to stop. */
+    static final BulletIntoRow HARDEST = new BulletIntoRow(1000, 400, 4);
 
     private static final int FEW = 100;
     private static final int ALL = 4000;
+    private static final int MOST_BOXES = 5;
     private static final int STEPS = 30;
     private static final double WALL_HEIGHT = 20;
 
@@ -35,7 +46,7 @@ final class BulletIntoRow implements Scenes {
         double[] failed = new double[4];
         for (int i = 0; i < count; i++) {
             trial.variant("seed " + trial.sampling().seed() + ", bullet " + i);
-            Shot shot = new Shot(trial, trial.sampling().random(i));
+            Shot shot = new Shot(trial, this, trial.sampling().random(i));
             shot.fly();
             failed[0] += shot.isThroughFixed ? 1 : 0;
             failed[1] += shot.isThroughBox ? 1 : 0;
@@ -64,7 +75,7 @@ final class BulletIntoRow implements Scenes {
         private boolean isTold;
         private double deepest;
 
-        Shot(Trial trial, SplittableRandom random) {
+        Shot(Trial trial, BulletIntoRow least, SplittableRandom random) {
             Material matter = Solid.matter(0.5, 0.5 * random.nextDouble());
             thickness = between(random, 1e-3, 1);
             pool = trial.earth().withOverlapOfItsOwn();
@@ -73,7 +84,7 @@ final class BulletIntoRow implements Scenes {
                     Solid.fixed(thickness, WALL_HEIGHT)
                             .at(thickness / 2, WALL_HEIGHT / 2)
                             .material(matter));
-            int count = 1 + random.nextInt(5);
+            int count = least.leastBoxes + random.nextInt(MOST_BOXES - least.leastBoxes + 1);
             BodyDefinition box = Solid.box(1, 1).material(matter);
             for (int i = 0; i < count; i++) {
                 boxes.add(pool.add(box.at(-0.5 - i, 0.5)));
@@ -87,8 +98,10 @@ final class BulletIntoRow implements Scenes {
                                             radius
                                                     + 0.01
                                                     + (0.98 - 2 * radius) * random.nextDouble())
-                                    .velocity(between(random, 50, 2000), 0)
-                                    .mass(between(random, 1, 1e4) * boxes.get(0).mass())
+                                    .velocity(between(random, least.leastSpeed, 2000), 0)
+                                    .mass(
+                                            between(random, least.leastRatio, 1e4)
+                                                    * boxes.get(0).mass())
                                     .material(matter));
         }
 
