@@ -36,6 +36,9 @@ final class JointedIslands {
     /** Factor by which the substeps may be too few after a joint became taut within the step. */
     private static final double MORE = 1.5;
 
+    /** How often a step with too few substeps is made again. */
+    private static final int MOST_AGAIN = 3;
+
     /** Number of substeps for fast islands that are too taut, as a multiple of the usual one. */
     private static final int MORE_IF_TAUT = 2;
 
@@ -114,10 +117,16 @@ final class JointedIslands {
         boolean wasTaut = joints.needed.isTaut();
         advance(island, dt, substeps);
         joints.tell(dt);
-        int wanted = substepsFor(island, dt);
-        if (wanted > MORE * substeps || joints.needed.isWedged() && !wasTaut) {
+        for (int again = 0; again < MOST_AGAIN; again++) {
+            int wanted = substepsFor(island, dt);
+            boolean isWedged = joints.needed.isWedged() && !wasTaut;
+            if (wanted <= MORE * substeps && !isWedged) {
+                break;
+            }
             // An island that became taut within the step oscillates faster than its substeps
-            // resolve.
+            // resolve; the tension that they found may be wrong, too.
+            substeps = wanted;
+            wasTaut = joints.needed.isTaut();
             lateJoiners.restoreTimes();
             advance(island, dt, wanted);
             joints.tell(dt);

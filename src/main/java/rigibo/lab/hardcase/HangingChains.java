@@ -1,11 +1,14 @@
 package rigibo.lab.hardcase;
 
+import rigibo.backend.DistanceJoint;
 import rigibo.backend.Joint;
+import rigibo.backend.JointDefinition;
 import rigibo.backend.RevoluteJoint;
 import rigibo.backend.RigidBody;
 import rigibo.backend.WeldJoint;
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.geometry.Logarithm;
+import rigibo.backend.setup.BodyDefinition;
 import rigibo.lab.truth.Solid;
 
 import java.util.ArrayList;
@@ -137,36 +140,53 @@ final class HangingChains {
     }
 
     static void heavyBobs(Trial trial) {
+        hangAll(trial, List.of(Line.LINKS));
+    }
+
+    static void heavyBobsOnLines(Trial trial) {
+        hangAll(trial, List.of(Line.RODS, Line.ROPES));
+    }
+
+    /** What carries a bob. */
+    private enum Line {
+        /** Thin boxes, each hinged to the next. */
+        LINKS,
+        /** Discs, with rods from centre to centre. */
+        RODS,
+        /** Discs, with ropes from centre to centre. */
+        ROPES
+    }
+
+    private static void hangAll(Trial trial, List<Line> lines) {
         int count = trial.sampling().count(3, 15);
         for (int i = 0; i < count; i++) {
             SplittableRandom random = trial.sampling().random(i);
             double length = 0.1 + 0.3 * random.nextDouble();
             double ratio = i == 0 ? 1e4 : Logarithm.pow(10, 4 * random.nextDouble());
             double angle = 0.3 + random.nextDouble();
-            trial.variant("links of " + length + " m, 1:" + ratio + ", at rest");
-            hang(trial, length, ratio, 0);
-            trial.variant("links of " + length + " m, 1:" + ratio + ", from " + angle + " rad");
-            hang(trial, length, ratio, angle);
+            for (Line line : lines) {
+                String of = line + " of " + length + " m, 1:" + ratio;
+                trial.variant(of + ", at rest");
+                hang(trial, line, length, ratio, 0);
+                trial.variant(of + ", from " + angle + " rad");
+                hang(trial, line, length, ratio, angle);
+            }
         }
     }
 
-    /** Thirty links in a straight line, with a bob at the end, some times as heavy as a link. */
-    private static void hang(Trial trial, double length, double ratio, double angle) {
+    /** Thirty pieces in a straight line, with a bob at the end, some times as heavy as a piece. */
+    private static void hang(Trial trial, Line line, double length, double ratio, double angle) {
         int links = 30;
         WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
         RigidBody hook = pool.hook(0, 0);
         RigidBody before = hook;
         double dx = length * Angle.sin(angle);
         double dy = -length * Angle.cos(angle);
-        for (int k = 0; k < links; k++) {
-            RigidBody link =
-                    pool.add(
-                            Solid.box(length / 4, length)
-                                    .at((k + 0.5) * dx, (k + 0.5) * dy)
-                                    .angle(angle)
-                                    .group(1));
-            pool.join(RevoluteJoint.at(before, link, k * dx, k * dy));
-            before = link;
+        int pieces = line == Line.LINKS ? links : links - 1;
+        for (int k = 0; k < pieces; k++) {
+            RigidBody piece = pool.add(piece(line, length, k, dx, dy).angle(angle).group(1));
+            pool.join(joint(line, before, piece, k, dx, dy));
+            before = piece;
         }
         double mass = before.mass();
         double height = (ratio + links / 2.0) * links * length * (1 - Math.cos(angle));
@@ -177,7 +197,7 @@ final class HangingChains {
                                 .at(links * dx, links * dy)
                                 .mass(ratio * mass)
                                 .group(1));
-        pool.join(RevoluteJoint.at(before, bob, bob.x(), bob.y()));
+        pool.join(joint(line, before, bob, pieces, dx, dy));
         double start = pool.energy();
         while (pool.time() < 3) {
             pool.step();
@@ -190,7 +210,7 @@ final class HangingChains {
             pool.measureJoints();
         }
         if (angle == 0) {
-            double truth = (ratio + links) * mass * Trial.GRAVITY;
+            double truth = (ratio + pieces) * mass * Trial.GRAVITY;
             trial.relativeError(
                     "reaction",
                     pool.pool().joints().get(0).reactionForce(),
@@ -198,6 +218,25 @@ final class HangingChains {
                     "of truth",
                     REACTION);
         }
+    }
+
+    private static BodyDefinition piece(Line line, double length, int k, double dx, double dy) {
+        return line == Line.LINKS
+                ? Solid.box(length / 4, length).at((k + 0.5) * dx, (k + 0.5) * dy)
+                : Solid.disc(length / 8).at((k + 1) * dx, (k + 1) * dy);
+    }
+
+    /** The joint above the piece of a number. */
+    private static JointDefinition joint(
+            Line line, RigidBody above, RigidBody piece, int k, double dx, double dy) {
+        double x = k * dx;
+        double y = k * dy;
+        return switch (line) {
+            case LINKS -> RevoluteJoint.at(above, piece, x, y);
+            case RODS -> DistanceJoint.rod(above, x, y, piece, x + dx, y + dy);
+            case ROPES ->
+                    DistanceJoint.rope(above, x, y, piece, x + dx, y + dy, Math.hypot(dx, dy));
+        };
     }
 
     static void bridges(Trial trial) {

@@ -35,6 +35,7 @@ final class JointCases {
                 HangingChains::catenaries);
         list.fromGame(
                 "J5", "light links carry ten thousand times their mass", HangingChains::heavyBobs);
+        list.fromGame("J5/lines", "so do beads on rods and ropes", HangingChains::heavyBobsOnLines);
         list.fromGame("J7", "mechanisms move as their geometry says", Mechanisms::run);
         list.fromGame(
                 "J13",

@@ -38,6 +38,9 @@ final class JointRows {
     /** How the rows hold their places in an island as long as its span. */
     final TautPlaces taut;
 
+    /** What draws bodies back to the line of rods and ropes. */
+    private final TautLines lines;
+
     /** The joint whose rows are being written: its number in the island, its slot, its offsets. */
     private int joint;
 
@@ -58,9 +61,11 @@ final class JointRows {
             NeutralRows rows,
             PackedJoints packed,
             Poses poses,
-            RowStates states) {
+            RowStates states,
+            TautLines lines) {
         joints = data.jointsOrNone();
         this.rows = rows;
+        this.lines = lines;
         this.packed = packed;
         this.states = states;
         geometry = new JointGeometry(data.bodies, joints, poses);
@@ -134,7 +139,10 @@ final class JointRows {
                     endSoft();
                 }
             }
-            case DISTANCE -> distance();
+            case DISTANCE -> {
+                distance();
+                across();
+            }
             case MOTOR -> motor();
             case MOUSE -> mouse();
             case GEAR -> gear();
@@ -176,10 +184,14 @@ final class JointRows {
 
     /** n·(p_b − p_a) along an axis of the world. */
     private void point(int part, double nx, double ny, double place) {
+        equation(apart(part, nx, ny), place);
+    }
+
+    private int apart(int part, double nx, double ny) {
         int row = row(part);
         rows.derive(row, a, -nx, -ny, -(geometry.armAX * ny - geometry.armAY * nx));
         rows.derive(row, b, nx, ny, geometry.armBX * ny - geometry.armBY * nx);
-        equation(row, place);
+        return row;
     }
 
     /** n·(p_b − p_a) along a direction that turns with A or with the anchors. */
@@ -307,6 +319,16 @@ final class JointRows {
             axis(X, geometry.axisX, geometry.axisY, geometry.along - rest);
         } else {
             coordinate();
+        }
+    }
+
+    /** Draws the ends of a rod or rope back to its line, if it is taut. */
+    private void across() {
+        double force = lines.pull(joint);
+        if (force > 0 && geometry.along > 0 && !isAtOnce) {
+            int row = apart(Y, -geometry.axisY, geometry.axisX);
+            rows.give[row] = TautLines.give(force, geometry.along, kick, drift);
+            end(row);
         }
     }
 

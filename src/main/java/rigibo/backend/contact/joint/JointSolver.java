@@ -78,6 +78,7 @@ public final class JointSolver {
     private double keptKick;
 
     private final TautInertia inertia;
+    private final TautLines lines;
     private final double tolerance;
 
     public JointSolver(
@@ -94,11 +95,12 @@ public final class JointSolver {
         lockedOverlap = areLocks ? new RowOverlap(motions, contacts, rows, accuracy) : null;
         packed = new PackedJoints(data, builder);
         poses = new Poses(data.bodies, motions);
-        jointRows = new JointRows(data, rows, packed, poses, states);
+        lines = new TautLines(packed);
+        jointRows = new JointRows(data, rows, packed, poses, states, lines);
         contactRows = new ContactRows(motions, contacts, rows, states);
         elimination = new RowElimination(motions, rows);
         RowSolver solver = new RowSolver(motions, rows, elimination, accuracy);
-        inertia = new TautInertia(data, motions, packed, poses);
+        inertia = new TautInertia(data, motions, packed, poses, lines);
         results = new JointResults(data, packed, rows);
         budget = new JointBudget(data, rows, elimination, accuracy);
         JointPlaces places = jointRows.places;
@@ -112,7 +114,7 @@ public final class JointSolver {
                         rows,
                         places,
                         ahead,
-                        new JointRows(data, ahead, packed, poses, states),
+                        new JointRows(data, ahead, packed, poses, states, lines),
                         poses,
                         solver,
                         elimination,
@@ -325,7 +327,9 @@ public final class JointSolver {
     private void write(double kick, double h, boolean isLast, boolean isSolvedWhole) {
         share = kicked == 0 ? 0 : kick / kicked;
         poses.take(0);
+        lines.rest();
         if (needed.isTaut() && isSolvedWhole && !isLast && kicked > 0) {
+            lines.begin(kicked);
             inertia.stiffen(kicked, h, needed.isWedged());
         } else if (needed.isTaut()) {
             inertia.release();

@@ -46,7 +46,7 @@ public final class JointsAtRest {
         packed = new PackedJoints(data, builder);
         poses = new Poses(data.bodies, motions);
         states = new RowStates();
-        jointRows = new JointRows(data, rows, packed, poses, states);
+        jointRows = new JointRows(data, rows, packed, poses, states, new TautLines(packed));
         results = new JointResults(data, packed, rows);
         tolerance = accuracy.impactTolerance();
     }

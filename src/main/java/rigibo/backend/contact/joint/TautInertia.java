@@ -28,22 +28,26 @@ final class TautInertia {
 
     private static final int REVOLUTE = JointKind.REVOLUTE.ordinal();
     private static final int WELD = JointKind.WELD.ordinal();
+    private static final int DISTANCE = JointKind.DISTANCE.ordinal();
 
     private final JointStore joints;
     private final Motions motions;
     private final PackedJoints packed;
-    private final Poses poses;
+    private final JointGeometry geometry;
+    private final TautLines lines;
 
     /** By entry of the motions: 1/I, and Σ(r·F) in N·m. */
     private double[] inverseInertia = new double[16];
 
     private double[] stiffness = new double[16];
 
-    TautInertia(DataStorage data, Motions motions, PackedJoints packed, Poses poses) {
+    TautInertia(
+            DataStorage data, Motions motions, PackedJoints packed, Poses poses, TautLines lines) {
         joints = data.jointsOrNone();
         this.motions = motions;
         this.packed = packed;
-        this.poses = poses;
+        this.lines = lines;
+        geometry = new JointGeometry(data.bodies, joints, poses);
     }
 
     /** Begins an island that was just packed, whose bodies have their own inertia. */
@@ -72,9 +76,16 @@ final class TautInertia {
     void stiffen(double lastKick, double h, boolean isWedged) {
         Arrays.fill(stiffness, 0, motions.count, 0);
         for (int i = 0; i < packed.count; i++) {
-            int slot = packed.slot[i];
-            if (joints.kind[slot] == REVOLUTE || joints.kind[slot] == WELD) {
-                pull(i, slot, lastKick);
+            int kind = joints.kind[packed.slot[i]];
+            if (kind == REVOLUTE || kind == WELD) {
+                measure(i);
+                double x = packed.impulseOf(i, JointRows.X) / lastKick;
+                double y = packed.impulseOf(i, JointRows.Y) / lastKick;
+                pull(i, x, y);
+            } else if (kind == DISTANCE) {
+                measure(i);
+                double force = lines.pull(i);
+                pull(i, -force * geometry.axisX, -force * geometry.axisY);
             }
         }
         for (int entry = 1; entry < motions.count; entry++) {
@@ -87,23 +98,15 @@ final class TautInertia {
         }
     }
 
-    private void pull(int joint, int slot, double lastKick) {
-        double x = packed.impulseOf(joint, JointRows.X) / lastKick;
-        double y = packed.impulseOf(joint, JointRows.Y) / lastKick;
-        int a = packed.offsetA[joint];
-        int b = packed.offsetB[joint];
-        add(a, joints.bodyA[slot], joints.anchorAX[slot], joints.anchorAY[slot], -x, -y);
-        add(b, joints.bodyB[slot], joints.anchorBX[slot], joints.anchorBY[slot], x, y);
+    private void measure(int joint) {
+        geometry.measure(packed.slot[joint], packed.offsetA[joint], packed.offsetB[joint]);
     }
 
-    private void add(
-            int offset, int body, double anchorX, double anchorY, double forceX, double forceY) {
-        if (offset != 0) {
-            double cos = poses.cos(body, offset);
-            double sin = poses.sin(body, offset);
-            double armX = cos * anchorX - sin * anchorY;
-            double armY = sin * anchorX + cos * anchorY;
-            stiffness[offset / Motions.STRIDE] += armX * forceX + armY * forceY;
-        }
+    /** Adds the force on B of a joint that was measured, N. */
+    private void pull(int joint, double x, double y) {
+        int a = packed.offsetA[joint] / Motions.STRIDE;
+        int b = packed.offsetB[joint] / Motions.STRIDE;
+        stiffness[a] -= geometry.armAX * x + geometry.armAY * y;
+        stiffness[b] += geometry.armBX * x + geometry.armBY * y;
     }
 }

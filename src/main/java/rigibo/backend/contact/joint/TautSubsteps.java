@@ -11,8 +11,9 @@ import rigibo.backend.storage.JointStore;
 /**
  * The number of substeps that tension needs. A load F at an arm r turns back a body of inertia I
  * with F·r per radian, so that it oscillates at ω² = ΣF·r/I: a light link between a hook and a
- * heavy weight does so a thousand times a second. Kicks along the rows of a substep's start follow
- * that as long as ω·h is below 2.
+ * heavy weight does so a thousand times a second. A rod or rope of length l that pulls with F also
+ * draws a body of mass m back across its line, at ω² = ΣF/(l·m). Kicks along the rows of a
+ * substep's start follow that as long as ω·h is below 2.
  */
 final class TautSubsteps {
 
@@ -224,8 +225,9 @@ final class TautSubsteps {
         int b = joints.bodyB[joint];
         double armA = length(joints.anchorAX[joint], joints.anchorAY[joint]);
         double armB = length(joints.anchorBX[joint], joints.anchorBY[joint]);
-        double onA = bodies.isDynamic(a) ? force * armA * bodies.inverseInertia[a] : 0;
-        double onB = bodies.isDynamic(b) ? force * armB * bodies.inverseInertia[b] : 0;
+        double across = stiffnessAcross(joint, force);
+        double onA = squareOf(a, force * armA, armA, across);
+        double onB = squareOf(b, force * armB, armB, across);
         if (bodies.isDynamic(a)) {
             square[a] += onA;
             onA = square[a];
@@ -235,6 +237,29 @@ final class TautSubsteps {
             onB = square[b];
         }
         return Math.max(onA, onB);
+    }
+
+    /**
+     * Square of the frequency of a body that is turned back by {@code turn} N·m per radian, and
+     * drawn back by {@code across} N/m at an arm in m, 1/s².
+     */
+    private double squareOf(int body, double turn, double arm, double across) {
+        if (!bodies.isDynamic(body)) {
+            return 0;
+        }
+        double turning = (turn + across * arm * arm) * bodies.inverseInertia[body];
+        return turning + across * bodies.inverseMass[body];
+    }
+
+    /** Stiffness with which a rod or rope draws its ends back to its line, N/m. */
+    private double stiffnessAcross(int joint, double force) {
+        if (joints.kind[joint] != JointKind.DISTANCE.ordinal()) {
+            return 0;
+        }
+        double upper = joints.upper[joint];
+        double rest = joints.parameter[JointStore.LENGTH][joint];
+        double length = upper < Double.POSITIVE_INFINITY ? upper : rest;
+        return length > 0 ? force / length : 0;
     }
 
     private static double length(double x, double y) {

@@ -35,7 +35,8 @@ final class JointedIsland {
     final PackedJoints packed = new PackedJoints(data, builder);
     final Poses poses = new Poses(data.bodies, motions);
     final RowStates states = new RowStates();
-    final JointRows jointRows = new JointRows(data, rows, packed, poses, states);
+    final TautLines lines = new TautLines(packed);
+    final JointRows jointRows = new JointRows(data, rows, packed, poses, states, lines);
 
     private RigidBody box(double x, double y, double angle) {
         return pool.add(BodyDefinition.dynamic(Polygon.box(1, 0.5)).at(x, y).angle(angle));

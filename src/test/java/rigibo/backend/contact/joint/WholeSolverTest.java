@@ -32,7 +32,13 @@ class WholeSolverTest {
     private WholeSolver whole() {
         NeutralRows ahead = new NeutralRows(island.motions, null);
         JointRows rowsAhead =
-                new JointRows(island.data, ahead, island.packed, island.poses, island.states);
+                new JointRows(
+                        island.data,
+                        ahead,
+                        island.packed,
+                        island.poses,
+                        island.states,
+                        island.lines);
         double tolerance = Accuracy.EXACT.impactTolerance();
         HeldPlaces held =
                 new HeldPlaces(

@@ -1,0 +1,62 @@
+package rigibo.backend.contact.joint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+import rigibo.backend.DistanceJoint;
+import rigibo.backend.JointDefinition;
+import rigibo.backend.RevoluteJoint;
+import rigibo.backend.setup.Accuracy;
+
+/** How fast bodies under tension vibrate, by the force and the arms of their joints. */
+class TautSubstepsTest {
+
+    /** N. */
+    private static final double PULL = 3e4;
+
+    private static final double KICK = 1.0 / 120;
+
+    private final JointedIsland island = new JointedIsland();
+
+    /** Square of the fastest vibration if the first joint pulls, 1/s². */
+    private double square(JointDefinition joint) {
+        island.pool.join(joint);
+        island.pack(1, KICK);
+        island.data.jointsOrNone().reactionX[0] = 0.6 * PULL;
+        island.data.jointsOrNone().reactionY[0] = -0.8 * PULL;
+        return new TautSubsteps(island.data, Accuracy.GAME).square(0);
+    }
+
+    private static void assertIs(double square, double truth) {
+        assertThat(square).isCloseTo(truth, within(1e-9 * truth));
+    }
+
+    @Test
+    void linkIsTurnedBackByTheForceAtItsArm() {
+        double arm = Math.hypot(0.6, 0.2);
+        double truth = PULL * arm / island.a.inertia();
+        assertIs(square(RevoluteJoint.at(island.a, island.ground, 0.9, 0)), truth);
+    }
+
+    @Test
+    void beadIsDrawnBackToTheLineOfItsRod() {
+        double length = Math.hypot(1.1, 0.5);
+        double truth = PULL / length / island.a.mass();
+        assertIs(square(DistanceJoint.rod(island.a, 0.3, 0.2, island.b, 1.4, -0.3)), truth);
+    }
+
+    /** The point at which a rope holds a body goes across with the body, and by its turning. */
+    @Test
+    void bodyHeldBesideItsCentreIsTurnedBackToo() {
+        double length = 0.8;
+        double arm = 0.4;
+        double across = PULL / length;
+        double turning = (PULL * arm + across * arm * arm) / island.a.inertia();
+        double truth = turning + across / island.a.mass();
+        assertIs(
+                square(DistanceJoint.rope(island.a, 0.3, 0.6, island.ground, 0.3, 1.2, length)),
+                truth);
+    }
+}
