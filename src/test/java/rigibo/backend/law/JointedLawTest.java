@@ -171,7 +171,7 @@ class JointedLawTest {
     }
 
     private static Seeds seeds(Preset preset) {
-        return Seeds.upTo(preset == Preset.EXACT ? 12 : 40);
+        return Seeds.upTo(preset == Preset.EXACT ? 14 : 40);
     }
 
     /** A tray, every other one with sleep. */
