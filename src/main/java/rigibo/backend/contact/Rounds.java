@@ -85,10 +85,13 @@ final class Rounds {
     private static final int QUICK = 2;
 
     /**
-     * Most passes of a round where masses differ: one pass does not show there which contacts carry
-     * load. Of rounds with a third as many, one in 1,500 bullets found none that comes near.
+     * Most passes of a round where masses differ, unless they differ so much that a share of the
+     * factor on the rounds is more: one pass does not show there which contacts carry load.
      */
-    private static final int MOST_PASSES = 100;
+    private static final int MOST_PASSES = 32;
+
+    /** That share: up to a hundred passes, as few of a thousand bullets need. */
+    private static final double PASSES_BY_TIMES = 1 / 3.0;
 
     private final Motions motions;
     private final PackedContacts contacts;
@@ -236,7 +239,7 @@ final class Rounds {
         double least = Double.POSITIVE_INFINITY;
         int wait = WAIT;
         int rounds = (int) (most * times);
-        int passes = (int) Math.min(MOST_PASSES, times);
+        int passes = (int) Math.max(Math.min(MOST_PASSES, times), PASSES_BY_TIMES * times);
         int end = STALLED * most;
         for (int i = 0; i < Math.min(rounds, end) && !direct.isSpent(); i++) {
             for (int pass = 1; i >= QUICK && pass < passes; pass++) {
