@@ -25,6 +25,9 @@ class TautPlacesTest {
     private final JointedIsland island = new JointedIsland();
     private final NeutralRows rows = island.rows;
 
+    /** Sum of the loads on the island's bodies, N. */
+    private double load = LOAD;
+
     /** Writes the rows of the first joint, whose body A is moved by some metres and radians. */
     private void write(double missed, double turned, boolean atOnce) {
         island.pack(1, KICK);
@@ -32,7 +35,7 @@ class TautPlacesTest {
         island.motions.data[Motions.STRIDE + Motions.TURN] -= turned;
         island.poses.take(0);
         rows.clear();
-        island.jointRows.taut.begin(LOAD, TOLERANCE);
+        island.jointRows.taut.begin(load, TOLERANCE);
         if (atOnce) {
             island.jointRows.writeAtOnce();
         } else {
@@ -69,12 +72,8 @@ class TautPlacesTest {
     @Test
     void hingeIsStiffWithoutALoad() {
         island.pool.join(RevoluteJoint.at(island.a, island.b, 0.9, 0));
-        island.pack(1, KICK);
-        island.poses.take(0);
-        rows.clear();
-        island.jointRows.taut.begin(0, TOLERANCE);
-        island.jointRows.write(KICK, DRIFT);
-        island.jointRows.taut.rest();
+        load = 0;
+        write(0, 0, false);
         double stiffness = 1e3 / (DRIFT * DRIFT * rows.response[JointRows.X]);
         double give = 1 / (KICK * (DECAY + DRIFT) * stiffness);
         assertThat(rows.give[JointRows.X]).isCloseTo(give, within(1e-12 * give));
