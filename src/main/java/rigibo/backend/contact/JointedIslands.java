@@ -114,23 +114,11 @@ final class JointedIslands {
 
     private void advanceAndStore(int island, double dt) {
         int substeps = substepsFor(island, dt);
-        boolean wasTaut = joints.needed.isTaut();
-        advance(island, dt, substeps);
-        joints.tell(dt);
-        for (int again = 0; again < MOST_AGAIN; again++) {
-            int wanted = substepsFor(island, dt);
-            boolean isWedged = joints.needed.isWedged() && !wasTaut;
-            if (wanted <= MORE * substeps && !isWedged) {
-                break;
-            }
-            // An island that became taut within the step oscillates faster than its substeps
-            // resolve; the tension that they found may be wrong, too.
-            substeps = wanted;
-            wasTaut = joints.needed.isTaut();
+        for (int again = 0; !isDone(island, dt, substeps, again == MOST_AGAIN); again++) {
+            substeps = substepsFor(island, dt);
             lateJoiners.restoreTimes();
-            advance(island, dt, wanted);
-            joints.tell(dt);
         }
+        joints.tell(dt);
         contacts.work.multiplications += joints.multiplications();
         contacts.work.contactSolves += joints.rowSolves();
         contacts.work.solve(joints.method(), declared.rowCount() + contacts.count);
@@ -139,12 +127,26 @@ final class JointedIslands {
         joints.store(kicks.kicked());
     }
 
+    /**
+     * Advances an island; returns whether its substeps followed it. One that became taut within the
+     * step oscillates faster than its substeps resolve, and the tension that they found may be
+     * wrong, too.
+     */
+    private boolean isDone(int island, double dt, int substeps, boolean isLast) {
+        boolean wasTaut = joints.needed.isTaut();
+        advance(island, dt, substeps);
+        joints.tellGreatest(dt);
+        int wanted = substepsFor(island, dt);
+        boolean isNewlyTaut = joints.needed.isTautFor(substeps) && !wasTaut;
+        return isLast || wanted <= MORE * substeps && !isNewlyTaut;
+    }
+
     private int substepsFor(int island, double dt) {
         boolean areMany = joints.areCrowd(island, dt);
         int most = accuracy.substeps();
         int usual = areMany ? fewer.byWay(island, dt, most) : joints.needed.of(island, dt, most);
-        boolean isTaut = !areMany && joints.needed.isTaut();
-        int needed = isTaut ? fewer.byWay(island, dt, MORE_IF_TAUT * most) : usual;
+        boolean isStill = !areMany && joints.needed.standsStill();
+        int needed = isStill ? fewer.byWay(island, dt, MORE_IF_TAUT * most) : usual;
         return declared.substepsFor(island, dt, needed);
     }
 

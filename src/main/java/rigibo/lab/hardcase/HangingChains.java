@@ -147,6 +147,40 @@ final class HangingChains {
         hangAll(trial, List.of(Line.RODS, Line.ROPES));
     }
 
+    /**
+     * Weights that no number of substeps follows, on short and on long lines. What the vibration is
+     * damped by takes energy from the swing as well; it may add none.
+     */
+    static void heaviestBobs(Trial trial) {
+        int count = trial.sampling().count(3, 15);
+        for (int i = 0; i < count; i++) {
+            SplittableRandom random = trial.sampling().random(i);
+            double length = 0.1 + 0.3 * random.nextDouble();
+            double ratio = i == 0 ? 1e6 : Logarithm.pow(10, 4 + 2 * random.nextDouble());
+            double angle = 0.3 + random.nextDouble();
+            int links = 2 + random.nextInt(20);
+            for (Line line : Line.values()) {
+                String of = links + " " + line + " of " + length + " m, 1:" + ratio;
+                trial.variant(of + ", from " + angle + " rad");
+                swing(trial, line, links, length, ratio, angle);
+            }
+        }
+    }
+
+    private static void swing(
+            Trial trial, Line line, int links, double length, double ratio, double angle) {
+        WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
+        RigidBody bob = hang(pool, line, links, length, ratio, angle);
+        double swing = bob.mass() * Trial.GRAVITY * links * length * (1 - Math.cos(angle));
+        double start = pool.energy();
+        while (pool.time() < 3) {
+            pool.step();
+            double gained = (pool.energy() - start) / swing;
+            trial.measure("energy gained", Math.max(0, gained), "of the swing", SWING);
+            pool.measureJoints();
+        }
+    }
+
     /** What carries a bob. */
     private enum Line {
         /** Thin boxes, each hinged to the next. */
@@ -154,7 +188,9 @@ final class HangingChains {
         /** Discs, with rods from centre to centre. */
         RODS,
         /** Discs, with ropes from centre to centre. */
-        ROPES
+        ROPES,
+        /** Boxes, with rods from edge to edge. */
+        EDGES
     }
 
     private static void hangAll(Trial trial, List<Line> lines) {
@@ -174,30 +210,44 @@ final class HangingChains {
         }
     }
 
-    /** Thirty pieces in a straight line, with a bob at the end, some times as heavy as a piece. */
-    private static void hang(Trial trial, Line line, double length, double ratio, double angle) {
-        int links = 30;
-        WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
-        RigidBody hook = pool.hook(0, 0);
-        RigidBody before = hook;
+    /**
+     * Hangs pieces in a straight line, with a bob at the end, {@code links} lengths from the hook
+     * and some times as heavy as a piece; returns the bob.
+     */
+    private static RigidBody hang(
+            WatchedPool pool, Line line, int links, double length, double ratio, double angle) {
+        RigidBody before = pool.hook(0, 0);
         double dx = length * Angle.sin(angle);
         double dy = -length * Angle.cos(angle);
-        int pieces = line == Line.LINKS ? links : links - 1;
+        int pieces = pieces(line, links);
         for (int k = 0; k < pieces; k++) {
             RigidBody piece = pool.add(piece(line, length, k, dx, dy).angle(angle).group(1));
             pool.join(joint(line, before, piece, k, dx, dy));
             before = piece;
         }
-        double mass = before.mass();
-        double height = (ratio + links / 2.0) * links * length * (1 - Math.cos(angle));
-        double swing = mass * Trial.GRAVITY * height;
         RigidBody bob =
                 pool.add(
                         Solid.disc(length / 2)
                                 .at(links * dx, links * dy)
-                                .mass(ratio * mass)
+                                .mass(ratio * before.mass())
                                 .group(1));
         pool.join(joint(line, before, bob, pieces, dx, dy));
+        return bob;
+    }
+
+    private static int pieces(Line line, int links) {
+        return line == Line.LINKS ? links : links - 1;
+    }
+
+    /** Thirty pieces with a bob, at rest or let swing. */
+    private static void hang(Trial trial, Line line, double length, double ratio, double angle) {
+        int links = 30;
+        WatchedPool pool = trial.jointedEarth().withEnergyOfItsOwn();
+        RigidBody bob = hang(pool, line, links, length, ratio, angle);
+        int pieces = pieces(line, links);
+        double mass = bob.mass() / ratio;
+        double height = (ratio + links / 2.0) * links * length * (1 - Math.cos(angle));
+        double swing = mass * Trial.GRAVITY * height;
         double start = pool.energy();
         while (pool.time() < 3) {
             pool.step();
@@ -221,9 +271,11 @@ final class HangingChains {
     }
 
     private static BodyDefinition piece(Line line, double length, int k, double dx, double dy) {
-        return line == Line.LINKS
-                ? Solid.box(length / 4, length).at((k + 0.5) * dx, (k + 0.5) * dy)
-                : Solid.disc(length / 8).at((k + 1) * dx, (k + 1) * dy);
+        return switch (line) {
+            case LINKS -> Solid.box(length / 4, length).at((k + 0.5) * dx, (k + 0.5) * dy);
+            case RODS, ROPES -> Solid.disc(length / 8).at((k + 1) * dx, (k + 1) * dy);
+            case EDGES -> Solid.box(length / 8, length / 2).at((k + 1) * dx, (k + 1) * dy);
+        };
     }
 
     /** The joint above the piece of a number. */
@@ -236,6 +288,9 @@ final class HangingChains {
             case RODS -> DistanceJoint.rod(above, x, y, piece, x + dx, y + dy);
             case ROPES ->
                     DistanceJoint.rope(above, x, y, piece, x + dx, y + dy, Math.hypot(dx, dy));
+            case EDGES ->
+                    DistanceJoint.rod(
+                            above, x + dx / 4, y + dy / 4, piece, x + 3 * dx / 4, y + 3 * dy / 4);
         };
     }
 

@@ -36,6 +36,10 @@ final class JointCases {
         list.fromGame(
                 "J5", "light links carry ten thousand times their mass", HangingChains::heavyBobs);
         list.fromGame("J5/lines", "so do beads on rods and ropes", HangingChains::heavyBobsOnLines);
+        list.add(
+                "J5/beyond",
+                "whatever hangs a weight of a million times its own mass stays in one piece",
+                HangingChains::heaviestBobs);
         list.fromGame("J7", "mechanisms move as their geometry says", Mechanisms::run);
         list.fromGame(
                 "J13",

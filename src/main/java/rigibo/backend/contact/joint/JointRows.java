@@ -328,6 +328,7 @@ final class JointRows {
         if (force > 0 && geometry.along > 0 && !isAtOnce) {
             int row = apart(Y, -geometry.axisY, geometry.axisX);
             rows.give[row] = TautLines.give(force, geometry.along, kick, drift);
+            rows.target[row] = lines.kept() * rows.speed(row);
             end(row);
         }
     }

@@ -47,6 +47,7 @@ public final class JointSolver {
     private final ContactRows contactRows;
     private final RowElimination elimination;
     private final JointResults results;
+    private final FirstKick first;
     private final Motions motions;
     private final WholeSolver whole;
     private final CrowdSolver crowd;
@@ -102,6 +103,7 @@ public final class JointSolver {
         RowSolver solver = new RowSolver(motions, rows, elimination, accuracy);
         inertia = new TautInertia(data, motions, packed, poses, lines);
         results = new JointResults(data, packed, rows);
+        first = new FirstKick(data.jointsOrNone(), packed);
         budget = new JointBudget(data, rows, elimination, accuracy);
         JointPlaces places = jointRows.places;
         needed =
@@ -191,6 +193,7 @@ public final class JointSolver {
         boolean areMany = areCrowd(island, 2 * firstKick * substepsOfIsland);
         packed.pack(island, firstKick);
         inertia.begin();
+        first.begin();
         needed.begin(areMany);
         strikes.watchNothing();
         stops.begin(2 * firstKick);
@@ -328,8 +331,8 @@ public final class JointSolver {
         share = kicked == 0 ? 0 : kick / kicked;
         poses.take(0);
         lines.rest();
-        if (needed.isTaut() && isSolvedWhole && !isLast && kicked > 0) {
-            lines.begin(kicked);
+        if (needed.isTaut() && isSolvedWhole && kicked > 0) {
+            lines.begin(kicked, needed.kept());
             inertia.stiffen(kicked, h, needed.isWedged());
         } else if (needed.isTaut()) {
             inertia.release();
@@ -381,7 +384,7 @@ public final class JointSolver {
             crowd.solve(h, substep, before, fastest, noise, finer);
             crowd.holdPlaces(h);
         }
-        results.add();
+        first.add(results, kicked);
     }
 
     /** Solves them at the end of the last kick, after which nothing drifts. */
@@ -393,7 +396,7 @@ public final class JointSolver {
         } else {
             crowd.solve(h, substep, before, fastest, noise, finer);
         }
-        results.add();
+        first.add(results, kicked);
     }
 
     /** Factor on the residual that counts as solved. */
@@ -428,6 +431,15 @@ public final class JointSolver {
     /** Stores the mean forces of joints in a step of dt seconds. */
     public void tell(double dt) {
         results.tell(dt);
+    }
+
+    /**
+     * Stores the mean forces likewise, or those of the first kick where they are greater, by which
+     * the substeps that an island needs are found.
+     */
+    public void tellGreatest(double dt) {
+        results.tell(dt);
+        first.tellGreater();
     }
 
     /** Stores the forces of joints in the last kick, given its length in s. */

@@ -10,23 +10,44 @@ import rigibo.backend.storage.DataStorage;
  */
 public final class JointSubsteps {
 
+    /**
+     * Share of the motion of an island too taut that is kept in a kick if nothing touches. The rest
+     * is damped, so that vibrations decay. If something touches, all is damped: the pull of what is
+     * struck changes from kick to kick, and an added mass would change with it, and add energy.
+     */
+    private static final double KEPT = 0.9;
+
+    /** Factor by which substeps are too few to be truer than damped motion, by what is damped. */
+    private static final double FAR_MORE = 1.5;
+
+    private static final double FAR_MORE_IF_TOUCHED = 3;
+
     private final TautSubsteps taut;
     private final ComposedSubsteps moving;
     private final SpringSubsteps springs;
     private final ContactRows contactRows;
     private final JointBudget budget;
 
-    /** Whether tension may be answered by inertia at this accuracy. */
-    private final boolean mayStiffen;
+    /**
+     * Whether an island of which many substeps would be worth following may stand still instead, at
+     * this accuracy.
+     */
+    private final boolean mayStandStill;
 
     /** Whether the island vibrates faster than its substeps follow. */
     private boolean isTaut;
+
+    /** Number of substeps that would follow it. */
+    private double wanted;
 
     /**
      * Whether it does so without a load that explains it, unlike an island in which a limit was
      * struck.
      */
     private boolean isWedged;
+
+    /** Whether anything touches in it, or may touch. */
+    private boolean isTouched;
 
     /** Sum of the forces on its bodies, N; 0 if its substeps follow it. */
     private double loads;
@@ -45,20 +66,24 @@ public final class JointSubsteps {
         springs = new SpringSubsteps(data.jointsOrNone(), rows, packed, accuracy);
         this.contactRows = contactRows;
         this.budget = budget;
-        mayStiffen = accuracy.impactTolerance() >= Accuracy.FINE.impactTolerance();
+        mayStandStill = accuracy.impactTolerance() >= Accuracy.FINE.impactTolerance();
     }
 
     /**
      * Number of substeps of an island for a step of dt seconds: at least the usual one, and no more
-     * than that if the island is too taut for any number.
+     * than that if the island is too taut for the number that is worth it.
      */
     public int of(int island, double dt, int usual) {
-        double wanted = taut.wanted(island, dt);
-        boolean isFast = mayStiffen && wanted > usual;
+        wanted = taut.wanted(island, dt);
+        boolean isFast = mayStandStill && wanted > usual;
         loads = isFast ? taut.loads(island) : 0;
         isWedged = isFast && taut.isUnexplained(island, loads);
-        isTaut = isWedged || mayStiffen && taut.isBeyond(island, wanted, usual);
-        return isTaut ? usual : taut.count(island, wanted, usual);
+        isTouched = taut.meetsOthers(island);
+        isTaut =
+                isWedged
+                        || taut.isBeyondAny(island, wanted, usual)
+                        || mayStandStill && taut.isBeyond(island, wanted, usual);
+        return standsStill() ? usual : taut.count(island, wanted, usual);
     }
 
     /** Whether bodies of an island are light compared with their load. */
@@ -87,14 +112,36 @@ public final class JointSubsteps {
         return budget.isWhole() ? moving.countPlainly(island, dt, least, most) : most;
     }
 
-    /** Whether the last island is too taut for any number of substeps. */
+    /** Whether the last island gets few substeps, since it is too taut. */
+    public boolean standsStill() {
+        return isTaut && mayStandStill;
+    }
+
+    /** Whether the last island is too taut for its substeps. */
     public boolean isTaut() {
         return isTaut;
+    }
+
+    /**
+     * Whether it is so taut that its damped motion is truer than what a number of substeps found,
+     * or no load explains that it is taut.
+     */
+    public boolean isTautFor(int substeps) {
+        double most = isTouched ? FAR_MORE_IF_TOUCHED : FAR_MORE;
+        return isTaut && (isWedged || wanted > most * substeps);
     }
 
     /** Whether it is too taut, and no load explains that. */
     public boolean isWedged() {
         return isTaut && isWedged;
+    }
+
+    /**
+     * Share of the motion of the last island that is kept in a kick if it is too taut: none if no
+     * load explains that, or if something touches.
+     */
+    double kept() {
+        return isWedged || isTouched ? 0 : KEPT;
     }
 
     /** Sum of the forces on the bodies of a wedged island, N. */

@@ -94,7 +94,7 @@ final class TautInertia {
             double over = isWedged ? WEDGED * square : square - FOLLOWED;
             double share = 1 / (1 + Math.max(0, over));
             motions.data[at + Motions.INVERSE_INERTIA] = share * inverseInertia[entry];
-            motions.data[at + Motions.SPIN] *= share;
+            motions.data[at + Motions.SPIN] *= lines.kept() + (1 - lines.kept()) * share;
         }
     }
 

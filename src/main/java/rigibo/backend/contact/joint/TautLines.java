@@ -5,7 +5,9 @@ package rigibo.backend.contact.joint;
  * line of length l that pulls with F draws its ends back across by F/l per metre that they leave
  * it. With the places at the end of a drift of h seconds, that is a damper of h·F/l across the line
  * (the geometric stiffness of a distance: M. Tournier, M. Nesme, B. Gilles and F. Faure, Stable
- * constrained dynamics, 2015).
+ * constrained dynamics, 2015). Such a damper would soon stop a pendulum, too. Most of the motion
+ * before the kick is therefore kept: with all of it, the damper is a mass of L·h·F/l that is added
+ * across the line in a kick of L seconds, and takes no energy.
  */
 final class TautLines {
 
@@ -13,6 +15,9 @@ final class TautLines {
 
     /** Length of the last kick, s; 0 where kicks follow. */
     private double kicked;
+
+    /** Share of the motion before the present kick that is kept. */
+    private double kept;
 
     TautLines(PackedJoints packed) {
         this.packed = packed;
@@ -23,9 +28,18 @@ final class TautLines {
         kicked = 0;
     }
 
-    /** Begins with rows of an island whose last kick lasted {@code lastKick} seconds. */
-    void begin(double lastKick) {
+    /**
+     * Begins with rows of an island whose last kick lasted {@code lastKick} seconds, of whose
+     * motion a share is kept.
+     */
+    void begin(double lastKick, double share) {
         kicked = lastKick;
+        kept = share;
+    }
+
+    /** Share of the motion before the present kick, relative to which a body is drawn back. */
+    double kept() {
+        return kept;
     }
 
     /** Force with which a line pulled in the last kick, N; 0 where kicks follow. */

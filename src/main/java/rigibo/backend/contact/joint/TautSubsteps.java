@@ -104,13 +104,14 @@ final class TautSubsteps {
         return wanted(island, dt) > TIGHT;
     }
 
-    /** Whether an island vibrates faster than is worth following. */
+    /** Whether an island vibrates faster than is worth following in a game. */
     boolean isBeyond(int island, double wanted, int usual) {
-        if (wanted <= MOST_FOLLOWED * usual) {
-            return false;
-        }
-        boolean isFollowed = !areMany(island) && !meetsOthers(island);
-        return !isFollowed || wanted > MOST_MORE * usual;
+        return wanted > MOST_FOLLOWED * usual && (areMany(island) || meetsOthers(island));
+    }
+
+    /** Whether an island in which nothing touches vibrates faster than any substeps follow. */
+    boolean isBeyondAny(int island, double wanted, int usual) {
+        return wanted > MOST_MORE * usual && !areMany(island) && !meetsOthers(island);
     }
 
     /**
@@ -192,18 +193,13 @@ final class TautSubsteps {
         return islands.bodyStart[island + 1] - islands.bodyStart[island] > MOST_BODIES;
     }
 
-    private boolean meetsOthers(int island) {
+    /** Whether anything touches in an island, or may touch. */
+    boolean meetsOthers(int island) {
         return islands.pairStart[island + 1] > islands.pairStart[island];
     }
 
-    /**
-     * Square of the fastest oscillation by the last impulses of an island's joints, 1/s²; 0 if
-     * nothing turns.
-     */
+    /** Square of the fastest oscillation by the last impulses of an island's joints, 1/s². */
     double square(int island) {
-        if (!bodies.turns()) {
-            return 0;
-        }
         if (square.length < bodies.type.length) {
             square = new double[bodies.type.length];
         }
@@ -247,7 +243,7 @@ final class TautSubsteps {
         if (!bodies.isDynamic(body)) {
             return 0;
         }
-        double turning = (turn + across * arm * arm) * bodies.inverseInertia[body];
+        double turning = (turn + across * arm * arm) * bodies.inverseInertiaOf(body);
         return turning + across * bodies.inverseMass[body];
     }
 

@@ -19,24 +19,44 @@ import rigibo.backend.storage.DataStorage;
 /** One island of three boxes beside a fixed body, whose joints a test states. */
 final class JointedIsland {
 
-    final Pool pool =
-            new Pool(Effects.of(new Contacts(), new Rotation(), new Joints()), Accuracy.GAME);
-    final DataStorage data = PoolStorage.of(pool);
-    final RigidBody ground = pool.add(BodyDefinition.fixed(Polygon.box(1, 1)).at(0, 3));
-    final RigidBody a = box(0.3, 0.2, 0.4);
-    final RigidBody b = box(1.4, -0.3, -0.9);
-    final RigidBody c = box(2.1, 1.1, 2);
+    final Pool pool;
+    final DataStorage data;
+    final RigidBody ground;
+    final RigidBody a;
+    final RigidBody b;
+    final RigidBody c;
 
-    final Motions motions = new Motions(true);
+    final Motions motions;
     final PackedContacts contacts = new PackedContacts();
-    final NeutralRows rows = new NeutralRows(motions, null);
-    private final RowBuilder builder =
-            new RowBuilder(data, motions, contacts, new PackedTurns(data.bodies, motions));
-    final PackedJoints packed = new PackedJoints(data, builder);
-    final Poses poses = new Poses(data.bodies, motions);
+    final NeutralRows rows;
+    private final RowBuilder builder;
+    final PackedJoints packed;
+    final Poses poses;
     final RowStates states = new RowStates();
-    final TautLines lines = new TautLines(packed);
-    final JointRows jointRows = new JointRows(data, rows, packed, poses, states, lines);
+    final TautLines lines;
+    final JointRows jointRows;
+
+    JointedIsland() {
+        this(Effects.of(new Contacts(), new Rotation(), new Joints()));
+    }
+
+    JointedIsland(Effects effects) {
+        pool = new Pool(effects, Accuracy.GAME);
+        data = PoolStorage.of(pool);
+        ground = pool.add(BodyDefinition.fixed(Polygon.box(1, 1)).at(0, 3));
+        a = box(0.3, 0.2, 0.4);
+        b = box(1.4, -0.3, -0.9);
+        c = box(2.1, 1.1, 2);
+        boolean turns = data.bodies.turns();
+        motions = new Motions(turns);
+        PackedTurns packedTurns = turns ? new PackedTurns(data.bodies, motions) : null;
+        rows = new NeutralRows(motions, null);
+        builder = new RowBuilder(data, motions, contacts, packedTurns);
+        packed = new PackedJoints(data, builder);
+        poses = new Poses(data.bodies, motions);
+        lines = new TautLines(packed);
+        jointRows = new JointRows(data, rows, packed, poses, states, lines);
+    }
 
     private RigidBody box(double x, double y, double angle) {
         return pool.add(BodyDefinition.dynamic(Polygon.box(1, 0.5)).at(x, y).angle(angle));

@@ -38,12 +38,16 @@ class TautLinesTest {
 
     /** Writes the rows of a line whose row had an impulse in the last kick, N·s. */
     private void write(JointDefinition line, int part, double impulse) {
+        write(line, part, impulse, 0);
+    }
+
+    private void write(JointDefinition line, int part, double impulse, double kept) {
         island.pool.join(line);
         island.pack(1, KICK);
         island.packed.impulse[part] = impulse;
         island.poses.take(0);
         rows.clear();
-        island.lines.begin(KICK);
+        island.lines.begin(KICK, kept);
         island.jointRows.write(KICK, DRIFT);
     }
 
@@ -83,6 +87,17 @@ class TautLinesTest {
     void lineThatDoesNotPullHasNoRowAcross(double impulse) {
         write(rod(), JointRows.X, impulse);
         assertThat(rows.count).isEqualTo(1);
+    }
+
+    /** A tenth of the speed across is damped; against the rest stands an added mass. */
+    @Test
+    void motionBeforeTheKickMayBeKept() {
+        double length = Math.hypot(1.1, 0.5);
+        island.b.velocity(0.5 / length, 1.1 / length);
+        write(rod(), JointRows.X, -KICK * PULL, 0.9);
+        assertThat(rows.speed(1)).isCloseTo(1, within(1e-12));
+        rows.impulse[1] = -KICK * PULL / length * DRIFT * (1 - 0.9);
+        assertThat(rows.residual(1)).isCloseTo(0, within(1e-9));
     }
 
     @Test

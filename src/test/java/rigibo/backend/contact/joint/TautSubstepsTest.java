@@ -8,6 +8,9 @@ import org.junit.jupiter.api.Test;
 import rigibo.backend.DistanceJoint;
 import rigibo.backend.JointDefinition;
 import rigibo.backend.RevoluteJoint;
+import rigibo.backend.effect.Contacts;
+import rigibo.backend.effect.Effects;
+import rigibo.backend.effect.Joints;
 import rigibo.backend.setup.Accuracy;
 
 /** How fast bodies under tension vibrate, by the force and the arms of their joints. */
@@ -18,7 +21,7 @@ class TautSubstepsTest {
 
     private static final double KICK = 1.0 / 120;
 
-    private final JointedIsland island = new JointedIsland();
+    private JointedIsland island = new JointedIsland();
 
     /** Square of the fastest vibration if the first joint pulls, 1/s². */
     private double square(JointDefinition joint) {
@@ -45,6 +48,22 @@ class TautSubstepsTest {
         double length = Math.hypot(1.1, 0.5);
         double truth = PULL / length / island.a.mass();
         assertIs(square(DistanceJoint.rod(island.a, 0.3, 0.2, island.b, 1.4, -0.3)), truth);
+    }
+
+    /** Where nothing turns, arms do not count, and beads are drawn back all the same. */
+    @Test
+    void beadIsDrawnBackWhereNothingTurns() {
+        island = new JointedIsland(Effects.of(new Contacts(), new Joints()));
+        double truth = PULL / 0.8 / island.a.mass();
+        assertIs(
+                square(DistanceJoint.rope(island.a, 0.3, 0.6, island.ground, 0.3, 1.2, 0.8)),
+                truth);
+    }
+
+    @Test
+    void linkThatCannotTurnDoesNotVibrate() {
+        island = new JointedIsland(Effects.of(new Contacts(), new Joints()));
+        assertIs(square(RevoluteJoint.at(island.a, island.ground, 0.9, 0)), 0);
     }
 
     /** The point at which a rope holds a body goes across with the body, and by its turning. */
