@@ -17,9 +17,10 @@ public final class JointSubsteps {
      */
     private static final double KEPT = 0.9;
 
-    /** Factor by which substeps are too few to be truer than damped motion, by what is damped. */
-    private static final double FAR_MORE = 1.5;
-
+    /**
+     * Factor by which substeps have to be too few in an island in which something touches, of which
+     * all motion would be damped instead.
+     */
     private static final double FAR_MORE_IF_TOUCHED = 3;
 
     private final TautSubsteps taut;
@@ -123,12 +124,11 @@ public final class JointSubsteps {
     }
 
     /**
-     * Whether it is so taut that its damped motion is truer than what a number of substeps found,
-     * or no load explains that it is taut.
+     * Whether it is so taut that its damped motion is truer than what a number of substeps found.
      */
     public boolean isTautFor(int substeps) {
-        double most = isTouched ? FAR_MORE_IF_TOUCHED : FAR_MORE;
-        return isTaut && (isWedged || wanted > most * substeps);
+        boolean isFarMore = wanted > FAR_MORE_IF_TOUCHED * substeps;
+        return isTaut && (isWedged || !isTouched || isFarMore);
     }
 
     /** Whether it is too taut, and no load explains that. */
