@@ -114,8 +114,18 @@ final class JointedIslands {
 
     private void advanceAndStore(int island, double dt) {
         int substeps = substepsFor(island, dt);
-        for (int again = 0; !isDone(island, dt, substeps, again == MOST_AGAIN); again++) {
-            substeps = substepsFor(island, dt);
+        for (int again = 0; ; again++) {
+            boolean wasTaut = joints.needed.isTaut();
+            advance(island, dt, substeps);
+            joints.tellGreatest(dt);
+            int wanted = substepsFor(island, dt);
+            boolean isNewlyTaut = joints.needed.isTautFor(substeps) && !wasTaut;
+            if (again == MOST_AGAIN || wanted <= MORE * substeps && !isNewlyTaut) {
+                break;
+            }
+            // An island that became taut within the step oscillates faster than its substeps
+            // resolve; the tension that they found may be wrong, too.
+            substeps = wanted;
             lateJoiners.restoreTimes();
         }
         joints.tell(dt);
@@ -125,20 +135,6 @@ final class JointedIslands {
         results.store(2 * kicks.kicked(), dt);
         declared.store(2 * kicks.kicked());
         joints.store(kicks.kicked());
-    }
-
-    /**
-     * Advances an island; returns whether its substeps followed it. One that became taut within the
-     * step oscillates faster than its substeps resolve, and the tension that they found may be
-     * wrong, too.
-     */
-    private boolean isDone(int island, double dt, int substeps, boolean isLast) {
-        boolean wasTaut = joints.needed.isTaut();
-        advance(island, dt, substeps);
-        joints.tellGreatest(dt);
-        int wanted = substepsFor(island, dt);
-        boolean isNewlyTaut = joints.needed.isTautFor(substeps) && !wasTaut;
-        return isLast || wanted <= MORE * substeps && !isNewlyTaut;
     }
 
     private int substepsFor(int island, double dt) {

@@ -13,7 +13,8 @@ import java.util.Arrays;
  * I·ω + τ·h − h²·(r·F)·ω'. So the body responds with I + h²·Σ(r·F) in place of I, and vibrations
  * that kicks cannot follow decay (M. Tournier, M. Nesme, B. Gilles and F. Faure, Stable constrained
  * dynamics, 2015, whose geometric stiffness is diagonal for joints that hold points). If the
- * oscillation is slow relative to the drift, the inertia stays as it is.
+ * oscillation is slow relative to the drift, the inertia stays as it is. Of the spin before a kick
+ * the share that {@link TautLines} keeps is not damped.
  */
 final class TautInertia {
 
