@@ -177,17 +177,17 @@ final class CrowdSolver {
     }
 
     /**
-     * Solves a substep of h seconds; contacts start with their last impulses.
+     * Solves the rows, which are written, for a drift of h seconds; contacts start with their last
+     * impulses.
      *
      * @param before speed of the fastest body before the kick, m/s
      * @param fastest speed of the fastest body after it, m/s
      * @param noise energy that may be gained, J
      * @param finer share of the usual residual that equations of large groups may have
      */
-    void solve(double h, int substep, double before, double fastest, double noise, double finer) {
+    void solve(double h, double before, double fastest, double noise, double finer) {
         double quiet = shorter * Math.max(QUIET * fastest, QUIET_IN_MOTION * before);
         held.begin(velocities.areAnyLarge() ? finer : 1);
-        contactRows.write(h, substep);
         warm();
         bounded.addContacts();
         responses.begin();

@@ -377,11 +377,12 @@ public final class JointSolver {
      * seconds.
      */
     public void solve(double h, int substep, double fastest, double noise) {
+        contactRows.write(h, substep);
         double finer = finer(fastest);
         if (budget.isWhole()) {
-            whole.solve(h, substep, share, fastest, noise, finer);
+            whole.solve(h, share, fastest, noise, finer);
         } else {
-            crowd.solve(h, substep, before, fastest, noise, finer);
+            crowd.solve(h, before, fastest, noise, finer);
             crowd.holdPlaces(h);
         }
         first.add(results, kicked);
@@ -390,11 +391,12 @@ public final class JointSolver {
     /** Solves them at the end of the last kick, after which nothing drifts. */
     public void solveAtRest(double h, int substep, double fastest, double noise) {
         stops.aimAtRest(h);
+        contactRows.writeAtRest(kicked, h, substep);
         double finer = finer(fastest);
         if (budget.isWhole()) {
-            whole.solveAtRest(h, substep, share, fastest, noise, finer);
+            whole.solveAtRest(share, fastest, noise, finer);
         } else {
-            crowd.solve(h, substep, before, fastest, noise, finer);
+            crowd.solve(h, before, fastest, noise, finer);
         }
         first.add(results, kicked);
     }

@@ -75,16 +75,15 @@ final class WholeSolver {
     }
 
     /**
-     * Solves the rows of joints, which are written, and those of contacts after a kick, so that
-     * places are held at the end of a drift of h seconds.
+     * Solves the rows, which are written, after a kick, so that places are held at the end of a
+     * drift of h seconds.
      *
      * @param carried share of the last kick's impulses that joints start with
      * @param fastest fastest speed after the kick, m/s
      * @param noise energy that does not count, J
      * @param finer factor on the residual that counts as solved
      */
-    void solve(double h, int substep, double carried, double fastest, double noise, double finer) {
-        contactRows.write(h, substep);
+    void solve(double h, double carried, double fastest, double noise, double finer) {
         double settled = settled(finer, fastest);
         work.begin();
         boolean isSolved = solveRows(carried, settled);
@@ -103,9 +102,7 @@ final class WholeSolver {
     }
 
     /** Solves the rows likewise, after the last kick of a substep, after which nothing drifts. */
-    void solveAtRest(
-            double h, int substep, double carried, double fastest, double noise, double finer) {
-        contactRows.writeAtRest(h, substep);
+    void solveAtRest(double carried, double fastest, double noise, double finer) {
         double settled = settled(finer, fastest);
         work.begin();
         boolean isSolved = solveRows(carried, settled);

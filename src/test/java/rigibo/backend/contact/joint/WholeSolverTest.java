@@ -91,7 +91,7 @@ class WholeSolverTest {
     @Test
     void aBoxHungAtItsCentreStops() {
         kick(0.3, 0.2, 0.5, -1);
-        whole.solve(H, 0, 1, 1, 0, 1);
+        whole.solve(H, 1, 1, 0, 1);
         double mass = 1 / island.motions.data[Motions.STRIDE + Motions.INVERSE_MASS];
         assertThat(rows.impulse[0]).isCloseTo(-0.5 * mass, within(ROUND_OFF * mass));
         assertThat(rows.impulse[1]).isCloseTo(mass, within(ROUND_OFF * mass));
@@ -103,7 +103,7 @@ class WholeSolverTest {
     @Test
     void aPendulumIsOnItsCircleAtTheEndOfADrift() {
         kick(0.3, 1.2, 3, 0);
-        whole.solve(H, 0, 1, 3, 0, 1);
+        whole.solve(H, 1, 3, 0, 1);
         island.poses.take(H);
         places.measureAnew();
         double allowed =
@@ -119,7 +119,7 @@ class WholeSolverTest {
     @Test
     void aPendulumMovesAcrossItsArmAtTheEnd() {
         kick(0.3, 1.2, 3, 0);
-        whole.solveAtRest(H, 0, 1, 3, 0, 1);
+        whole.solveAtRest(1, 3, 0, 1);
         double mass = 1 / island.motions.data[Motions.STRIDE + Motions.INVERSE_MASS];
         double inertia = 1 / island.motions.data[Motions.STRIDE + Motions.INVERSE_INERTIA];
         double spin = 3 * mass / (mass + inertia);
