@@ -8,6 +8,7 @@ import rigibo.backend.contact.row.DragKick;
 import rigibo.backend.contact.row.FreshRows;
 import rigibo.backend.contact.row.IslandForces;
 import rigibo.backend.contact.row.IslandResults;
+import rigibo.backend.contact.row.KeptContacts;
 import rigibo.backend.contact.row.Kick;
 import rigibo.backend.contact.row.LateJoiners;
 import rigibo.backend.contact.row.Motions;
@@ -49,6 +50,7 @@ final class JointedIslands {
     private final WarmStart warmStart;
     private final OverlapSolver overlap;
     private final LateJoiners lateJoiners;
+    private final KeptContacts kept;
     private final DeclaredRows declared;
     private final IslandResults results;
     private final JointSolver joints;
@@ -77,6 +79,7 @@ final class JointedIslands {
         DragKick drag = drags ? new DragKick(data.bodies, motions) : null;
         kick = new Kick(data.bodies, motions, forces, drag, turns);
         lateJoiners = new LateJoiners(data.bodies, motions, contacts);
+        kept = new KeptContacts(data, contacts);
         overlap = new OverlapSolver(data.bodies, motions, contacts, accuracy);
         boolean isCorrecting = accuracy.correction() == Correction.SOFT;
         Straightness straight = new Straightness(motions, accuracy);
@@ -114,6 +117,7 @@ final class JointedIslands {
 
     private void advanceAndStore(int island, double dt) {
         int substeps = substepsFor(island, dt);
+        kept.keep(island);
         for (int again = 0; ; again++) {
             boolean wasTaut = joints.needed.isTaut();
             advance(island, dt, substeps);
@@ -127,6 +131,7 @@ final class JointedIslands {
             // resolve; the tension that they found may be wrong, too.
             substeps = wanted;
             lateJoiners.restoreTimes();
+            kept.restore(island);
         }
         joints.tell(dt);
         contacts.work.multiplications += joints.multiplications();

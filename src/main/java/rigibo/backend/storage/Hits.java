@@ -167,11 +167,31 @@ public final class Hits {
      * that the pair's next hit is noted again.
      */
     public boolean wasForetold(int of) {
-        boolean was = of < isForetold.length && isForetold[of];
+        boolean was = isForetold(of);
         if (was) {
             isForetold[of] = false;
         }
         return was;
+    }
+
+    /** Whether the hit of a pair is noted before a solver resolves it. */
+    public boolean isForetold(int of) {
+        return of < isForetold.length && isForetold[of];
+    }
+
+    /** Whether a hit of a pair is expected of a solver, which has not told it yet. */
+    public boolean isExpected(int of) {
+        return of < isExpected.length && isExpected[of];
+    }
+
+    /** Marks a pair as it was before a step that is made again. */
+    public void markAgain(int of, boolean wasForetold, boolean wasExpected) {
+        if (wasForetold) {
+            isForetold[of] = true;
+        }
+        if (wasExpected) {
+            isExpected[of] = true;
+        }
     }
 
     private void reserve(int pairRoom) {
