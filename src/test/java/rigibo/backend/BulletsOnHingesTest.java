@@ -8,6 +8,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -29,8 +30,8 @@ class BulletsOnHingesTest {
      * that the turning bar does not come back to the ball.
      */
     @ParameterizedTest
-    @EnumSource(Level.class)
-    void ballsHandOnTheirMomentumOnce(Level level) {
+    @EnumSource(Preset.class)
+    void ballsHandOnTheirMomentumOnce(Preset preset) {
         SplittableRandom random = new SplittableRandom(71);
         for (int i = 0; i < BALLS; i++) {
             double mass = Math.pow(10, 2 * random.nextDouble() - 1);
@@ -38,7 +39,7 @@ class BulletsOnHingesTest {
             double depth = 0.5 + 0.2 * random.nextDouble();
             double elasticity = 0.8 + 0.2 * random.nextDouble();
             String of = mass + " kg at " + speed + " m/s, " + depth + " m deep, e " + elasticity;
-            strike(level.accuracy, mass, speed, depth, elasticity, of);
+            strike(preset.accuracy, mass, speed, depth, elasticity, of);
         }
     }
 
@@ -69,9 +70,7 @@ class BulletsOnHingesTest {
         }
         double inertia = bar.inertia() + bar.mass() / 4;
         double impulse = (1 + elasticity) * speed / (1 / mass + depth * depth / inertia);
-        assertThat(ball.velocityX())
-                .as(of)
-                .isCloseTo(speed - impulse / mass, within(1e-3 * speed));
+        assertThat(ball.velocityX()).as(of).isCloseTo(speed - impulse / mass, within(1e-3 * speed));
         assertThat(bar.angularVelocity())
                 .as(of)
                 .isCloseTo(impulse * depth / inertia, within(2e-3 * speed / depth));

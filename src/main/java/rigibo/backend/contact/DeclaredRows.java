@@ -167,6 +167,19 @@ final class DeclaredRows {
         }
     }
 
+    /**
+     * Measures all contacts of an island with joints whose bodies turned far about them, {@code
+     * left} seconds before the step ends: where they were measured last tells little.
+     */
+    void measureTurnedAbout(double left) {
+        for (int row = 0; row < contacts.count; row++) {
+            fresh.measure(row, left);
+        }
+        if (contacts.count > 0) {
+            rubbing.refresh();
+        }
+    }
+
     /** Predicts how far all bodies move in the rest of the step, s, for {@link #measureStrays}. */
     void foresee(double left) {
         if (strays != null) {

@@ -116,13 +116,13 @@ final class JointedIslands {
     }
 
     private void advanceAndStore(int island, double dt) {
-        int substeps = substepsFor(island, dt);
+        int substeps = substepsFor(island, dt, 0);
         kept.keep(island);
         for (int again = 0; ; again++) {
             boolean wasTaut = joints.needed.isTaut();
             advance(island, dt, substeps);
             joints.tellGreatest(dt);
-            int wanted = substepsFor(island, dt);
+            int wanted = substepsFor(island, dt, parts.finest());
             boolean isNewlyTaut = joints.needed.isTautFor(substeps) && !wasTaut;
             if (again == MOST_AGAIN || wanted <= MORE * substeps && !isNewlyTaut) {
                 break;
@@ -142,10 +142,13 @@ final class JointedIslands {
         joints.store(kicks.kicked());
     }
 
-    private int substepsFor(int island, double dt) {
+    private int substepsFor(int island, double dt, double finest) {
         boolean areMany = joints.areCrowd(island, dt);
         int most = accuracy.substeps();
-        int usual = areMany ? fewer.byWay(island, dt, most) : joints.needed.of(island, dt, most);
+        int usual =
+                areMany
+                        ? fewer.byWay(island, dt, most)
+                        : joints.needed.of(island, dt, most, finest);
         boolean isStill = !areMany && joints.needed.standsStill();
         int needed = isStill ? fewer.byWay(island, dt, MORE_IF_TAUT * most) : usual;
         return declared.substepsFor(island, dt, needed);
@@ -213,7 +216,6 @@ final class JointedIslands {
         for (int substep = 0; substep < substeps; substep++) {
             parts.advance(substep * h, h, substep, dt, mayCompose);
         }
-        declared.measureJointed(substeps, true, dt, 0, 0);
         parts.finish(dt, h, substeps);
     }
 

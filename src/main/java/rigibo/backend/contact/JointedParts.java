@@ -15,6 +15,9 @@ final class JointedParts {
     /** Most parts of a substep that end early; after them stops are solved as they are reached. */
     private static final int MOST_ENDED = 48;
 
+    /** Most parts of a substep that follow how fast bodies turn. */
+    private static final double MOST_OF_TURNING = 64;
+
     /** Most searches for the end of a part. */
     private static final int MOST_LOOKS = 12;
 
@@ -45,6 +48,9 @@ final class JointedParts {
     /** Length of a part that was to be composed but cannot be, s. */
     private double plain;
 
+    /** Number of parts that the step would need if it turned throughout as fast as at most. */
+    private double finest;
+
     /** Number of parts of the substep that ended early. */
     private int ended;
 
@@ -70,6 +76,12 @@ final class JointedParts {
         plain = plainPart;
         isOnStops = false;
         isWedged = false;
+        finest = 0;
+    }
+
+    /** Number of parts that the step would need if it turned throughout as fast as at most. */
+    double finest() {
+        return finest;
     }
 
     /**
@@ -90,10 +102,10 @@ final class JointedParts {
                 kicks.slip(left);
                 return;
             }
-            double part = mayCompose ? Math.min(left, plain) : left;
-            declared.measureJointed(substep, done == 0, time, dt - time, part);
+            double part = partOf(mayCompose ? Math.min(left, plain) : left, false);
+            measure(time, done == 0, part);
             boolean composes = mayCompose && !isOnStops && declared.haveAllJoined(substep);
-            double gone = composes ? advanceComposed(time, left) : NOT_COMPOSED;
+            double gone = composes ? advanceComposed(time, partOf(left, true)) : NOT_COMPOSED;
             if (gone == NOT_COMPOSED) {
                 gone = advancePlainly(time, part);
             }
@@ -101,13 +113,32 @@ final class JointedParts {
         }
     }
 
-    private double advanceComposed(double time, double left) {
+    /** Measures contacts before a part of h seconds that begins at a time, s. */
+    private void measure(double time, boolean isFirst, double h) {
+        if (finest > 1) {
+            declared.measureTurnedAbout(dt - time);
+        }
+        declared.measureJointed(substep, isFirst, time, dt - time, h);
+    }
+
+    /** A part of h seconds, so short that nothing turns too far about its joints in it, s. */
+    private double partOf(double h, boolean isComposed) {
+        if (!joints.isWhole()) {
+            return h;
+        }
+        double most = joints.needed.byTurning(h);
+        finest = Math.max(finest, most * dt / h);
+        double finer = isComposed ? joints.needed.finerIfComposed() : 1;
+        return h / Math.max(1, Math.ceil(Math.min(MOST_OF_TURNING, finer * most)));
+    }
+
+    private double advanceComposed(double time, double part) {
         if (ended >= most || !joints.isWhole()) {
             return NOT_COMPOSED;
         }
         stages.beginComposed();
         if (joints.haveStops()) {
-            find(left, true);
+            find(part, true);
             if (strikes.areAnyNow()) {
                 strikeNow(time);
                 return 0;
@@ -117,7 +148,7 @@ final class JointedParts {
                 return NOT_COMPOSED;
             }
         }
-        return follow(time, left, true);
+        return follow(time, part, true);
     }
 
     private double advancePlainly(double time, double part) {
@@ -218,6 +249,8 @@ final class JointedParts {
 
     /** Ends the step; substeps have the given length, s. */
     void finish(double step, double length, int substeps) {
+        substep = substeps;
+        measure(step, true, 0);
         kicks.keep();
         kicks.end(step, length, substeps);
         if (joints.isAnyPulled()) {

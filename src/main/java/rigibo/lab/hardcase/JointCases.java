@@ -24,6 +24,10 @@ final class JointCases {
         list.fromGame(
                 "J1", "a pendulum swings at its period and keeps its energy", Swings::pendulums);
         list.fromGame(
+                "J1/fast",
+                "what turns by radians in a step keeps its energy and its rate",
+                FastTurns::spin);
+        list.fromGame(
                 "J2", "a box swings on a hinge at its period and keeps its energy", Swings::boxes);
         list.fromGame(
                 "J3",
@@ -71,6 +75,10 @@ final class JointCases {
                 "J17",
                 "an impact on a jointed body moves all bodies joined to it",
                 JointImpacts::strikes);
+        list.fromGame(
+                "J17/blows",
+                "what a bullet has set turning about a joint keeps its energy",
+                FastTurns::strike);
         list.fromGame(
                 "J16",
                 "joined bodies obey the laws of order, mirror, scale, frame and strangers",

@@ -6,9 +6,12 @@ import rigibo.backend.contact.row.Motions;
 final class AllowedWork {
 
     /**
-     * Largest work of equations in a kick after which places are held, as a share of the energy.
+     * Largest work of equations in a kick after which places are held, as a share of the energy. A
+     * body that would go straight by a share φ of its radius in a drift is kicked onto its circle
+     * at tan(½·asin φ) times its speed, which a later kick takes back. The square of that is ¼ at
+     * {@link TautSubsteps#MOST_PHASE}.
      */
-    private static final double MOST_OF_TURNING = 0.1;
+    private static final double MOST_OF_TURNING = 0.26;
 
     /** Largest such work if contacts carry load as well, as a share of the energy. */
     private static final double LITTLE = 1e-2;

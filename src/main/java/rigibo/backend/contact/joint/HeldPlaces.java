@@ -11,7 +11,7 @@ import rigibo.backend.contact.row.Motions;
  */
 final class HeldPlaces {
 
-    private static final int MOST_STEPS = 12;
+    private static final int MOST_STEPS = 24;
 
     /** Most Newton steps in islands that are not small and whose contacts carry load. */
     private static final int FEW_STEPS = 4;

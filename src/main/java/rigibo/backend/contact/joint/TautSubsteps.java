@@ -85,13 +85,18 @@ final class TautSubsteps {
         islands = data.islands;
     }
 
-    /** Number of substeps of an island that wants some to follow its vibration. */
-    int count(int island, double wanted, int usual) {
+    /**
+     * Number of substeps of an island that wants some to follow its vibration.
+     *
+     * @param isTurning whether the pull of what turns explains the vibration: unlike an impact it
+     *     lasts
+     */
+    int count(int island, double wanted, int usual, boolean isTurning) {
         if (areMany(island)) {
             return usual;
         }
         boolean isTouched = meetsOthers(island);
-        int most = isTouched ? mostMoreIfTouched : MOST_MORE;
+        int most = isTouched && !isTurning ? mostMoreIfTouched : MOST_MORE;
         double finer = isTouched ? finerIfTouched : 1;
         return (int) Math.ceil(Math.max(usual, Math.min(most * usual, finer * wanted)));
     }
