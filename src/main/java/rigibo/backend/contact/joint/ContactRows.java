@@ -16,7 +16,7 @@ import static rigibo.backend.contact.row.PackedContacts.ROLLING;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.storage.KeptOverlap;
+import rigibo.backend.storage.PairTolerances;
 
 /** The packed contacts of an island as neutral rows, and their impulses back. */
 final class ContactRows {
@@ -41,28 +41,22 @@ final class ContactRows {
     }
 
     /**
-     * Adds rows for a kick of a length in s after which nothing drifts, as if h seconds were left.
-     * A point that carried a load stays loaded if its load would close its gap within the kick: the
-     * drift has closed it but for its curvature, for round-off and for removed overlap. Otherwise
-     * any gap would let bodies fall freely, since no time is left to close it.
+     * Adds rows for a kick after which nothing drifts, as if h seconds were left. A point that
+     * carried a load stays loaded if it touches: the drift has closed it but for its curvature, for
+     * round-off and for removed overlap. Otherwise any gap would let bodies fall freely, since no
+     * time is left to close it.
      */
-    void writeAtRest(double kick, double h, int substep) {
+    void writeAtRest(double h, int substep) {
         int first = rows.count;
         write(h, substep);
         for (int row = first; row < rows.count; row++) {
             if (rows.isPoint(row)
                     && rows.impulse[row] > 0
-                    && rows.place[row] <= closed(row, kick)) {
+                    && rows.place[row] <= PairTolerances.TOUCHING_GAP * width(row)) {
                 int at = rows.contact[row] * PackedContacts.STRIDE;
                 rows.target[row] = contacts.data[at + NEARING];
             }
         }
-    }
-
-    /** Gap that a row's load closes within a kick, at least an overlap that is kept, m. */
-    private double closed(int row, double kick) {
-        double fallen = rows.impulse[row] * rows.response[row] * kick / 2;
-        return Math.max(KeptOverlap.LEAST * width(row), fallen);
     }
 
     /** Adds rows for all contacts that take part in a substep of h seconds. */

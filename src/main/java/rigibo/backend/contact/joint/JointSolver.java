@@ -391,7 +391,7 @@ public final class JointSolver {
     /** Solves them at the end of the last kick, after which nothing drifts. */
     public void solveAtRest(double h, int substep, double fastest, double noise) {
         stops.aimAtRest(h);
-        contactRows.writeAtRest(kicked, h, substep);
+        contactRows.writeAtRest(h, substep);
         double finer = finer(fastest);
         if (budget.isWhole()) {
             whole.solveAtRest(share, fastest, noise, finer);

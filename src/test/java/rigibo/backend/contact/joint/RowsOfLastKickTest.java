@@ -7,15 +7,13 @@ import org.junit.jupiter.api.Test;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.storage.KeptOverlap;
+import rigibo.backend.storage.PairTolerances;
 
 /**
- * A point of a body of 2 kg, 1 m wide, over the ground, in a last kick of half a second. A load of
- * j N·s accelerates the body by j/2 / ½ s = j, so that it closes a gap of j/8 m in that time.
+ * A point of a body of 2 kg, 1 m wide, over the ground, in a last kick: whether it keeps its load
+ * or aims at closing its gap in no time.
  */
 class RowsOfLastKickTest {
-
-    private static final double KICK = 0.5;
 
     /** Time that is left as if a drift followed, s. */
     private static final double LEFT = 0.01;
@@ -43,32 +41,40 @@ class RowsOfLastKickTest {
         contacts.data[PackedContacts.GAP0] = gap;
         contacts.data[PackedContacts.IMPULSE0] = load;
         rows.clear();
-        contactRows.writeAtRest(KICK, LEFT, 1);
+        contactRows.writeAtRest(LEFT, 1);
         assertThat(rows.count).isEqualTo(1);
         return rows.target[0];
     }
 
     @Test
-    void aLoadThatClosesItsGapWithinTheKickStays() {
-        assertThat(target(0.099, 0.8)).isEqualTo(0);
-        assertThat(target(0.101, 0.8)).isCloseTo(-10.1, within(1e-12));
+    void aLoadStaysOnWhatTouches() {
+        double touching = PairTolerances.TOUCHING_GAP;
+        assertThat(target(0.99 * touching, 1e-9)).isEqualTo(0);
+        assertThat(target(1.01 * touching, 1e-9)).isCloseTo(-101 * touching, within(1e-12));
     }
 
     @Test
-    void aSmallLoadStaysOverRoundOff() {
-        assertThat(target(0.99 * KeptOverlap.LEAST, 1e-9)).isEqualTo(0);
-        assertThat(target(1.01 * KeptOverlap.LEAST, 1e-9)).isNegative();
+    void whatTouchesIsAShareOfTheWidth() {
+        contacts.data[PackedContacts.WIDTH] = 3;
+        assertThat(target(2.99 * PairTolerances.TOUCHING_GAP, 1e-9)).isEqualTo(0);
+        assertThat(target(3.01 * PairTolerances.TOUCHING_GAP, 1e-9)).isNegative();
+    }
+
+    /** A body that is wedged between others carries any load for an instant. */
+    @Test
+    void noLoadHoldsWhatIsApart() {
+        assertThat(target(0.01, 1e9)).isCloseTo(-1, within(1e-12));
     }
 
     @Test
     void aPointWithoutLoadFallsFreely() {
-        assertThat(target(0.5 * KeptOverlap.LEAST, 0)).isNegative();
+        assertThat(target(0.5 * PairTolerances.TOUCHING_GAP, 0)).isNegative();
     }
 
     @Test
     void aLoadStaysAtTheSpeedAtWhichItsSurfacesNear() {
         contacts.data[PackedContacts.NEARING] = -0.3;
-        assertThat(target(0.05, 0.8)).isEqualTo(-0.3);
+        assertThat(target(0.5 * PairTolerances.TOUCHING_GAP, 0.8)).isEqualTo(-0.3);
     }
 
     @Test
