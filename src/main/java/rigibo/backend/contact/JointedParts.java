@@ -202,11 +202,11 @@ final class JointedParts {
         }
         kicks.keep();
         kicks.advance(time, part, substep);
-        double first = strikes.first(part);
+        double first = strikes.first(part, dt - time - part);
         while (strikes.areAnySoft() && !isComposed) {
             kicks.recall();
             kicks.advance(time, part, substep);
-            first = strikes.first(part);
+            first = strikes.first(part, dt - time - part);
         }
         double gone = first == Strikes.NEVER ? part : reach(time, part, first);
         if (isComposed && (strikes.areAnySoft() || joints.isAnyPulled())) {

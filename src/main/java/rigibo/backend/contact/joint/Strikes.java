@@ -208,14 +208,18 @@ public final class Strikes {
 
     /**
      * Time within the last part of h seconds at which the first stop was reached, s; {@link #NEVER}
-     * if none was. Stops that were reached slowly are noted.
+     * if none was. Stops that were reached slowly are noted. Contacts of bodies that may have come
+     * round are measured anew, {@code left} seconds before the step ends.
      */
-    public double first(double h) {
+    public double first(double h, double left) {
         poses.take(0);
         jointPlaces.measureAnew();
         isAnySoft = false;
         double first = NEVER;
         for (int i = 0; i < count; i++) {
+            if (joint[i] == NeutralRows.NONE && mayBeBent(i, h)) {
+                measureAnew(i, left);
+            }
             double place = place(i);
             if (least[i] < NEVER && place < 0 && place < gap[i]) {
                 double closing = (gap[i] - place) / h;
@@ -229,6 +233,30 @@ public final class Strikes {
             }
         }
         return first;
+    }
+
+    /**
+     * Whether the gap of a contact may be closed by the curvature of its bodies' motion in a part
+     * of h seconds: what moves by s around a width w comes nearer than its tangent by up to s²/w.
+     */
+    private boolean mayBeBent(int i, double h) {
+        double width = contacts.width(contact[i]);
+        double[] m = motions.data;
+        int a = contacts.bodyA[contact[i]];
+        int b = contacts.bodyB[contact[i]];
+        double x = h * (m[b + Motions.VX] - m[a + Motions.VX]);
+        double y = h * (m[b + Motions.VY] - m[a + Motions.VY]);
+        double way = x * x + y * y;
+        double place = place(i);
+        // What is passed already would be measured from behind.
+        return place >= 0 && way > NEAR_WIDTH * width * width && place < way / width;
+    }
+
+    private void measureAnew(int i, double left) {
+        fresh.measure(contact[i], left);
+        if (isComposed) {
+            watchNewPoints(i);
+        }
     }
 
     /** Whether a stop was reached slowly; it is no longer watched, and has to be solved. */
@@ -275,10 +303,7 @@ public final class Strikes {
             place = motions.gap(contacts, contact[i], point);
             double width = contacts.width(contact[i]);
             if (Math.abs(place) < NEAR_WIDTH * width) {
-                fresh.measure(contact[i], left);
-                if (isComposed) {
-                    watchNewPoints(i);
-                }
+                measureAnew(i, left);
                 point = point(i);
                 place = motions.gap(contacts, contact[i], point);
             }
