@@ -1,6 +1,7 @@
 package rigibo.backend.contact;
 
 import rigibo.backend.contact.joint.JointSolver;
+import rigibo.backend.contact.joint.JointSubsteps;
 import rigibo.backend.contact.joint.Stages;
 import rigibo.backend.contact.joint.Strikes;
 
@@ -102,10 +103,11 @@ final class JointedParts {
                 kicks.slip(left);
                 return;
             }
-            double part = partOf(mayCompose ? Math.min(left, plain) : left, false);
+            double rate = turning();
+            double part = partOf(mayCompose ? Math.min(left, plain) : left, rate, 1);
             measure(time, done == 0, part);
             boolean composes = mayCompose && !isOnStops && declared.haveAllJoined(substep);
-            double gone = composes ? advanceComposed(time, partOf(left, true)) : NOT_COMPOSED;
+            double gone = composes ? advanceComposed(time, left, rate) : NOT_COMPOSED;
             if (gone == NOT_COMPOSED) {
                 gone = advancePlainly(time, part);
             }
@@ -115,27 +117,33 @@ final class JointedParts {
 
     /** Measures contacts before a part of h seconds that begins at a time, s. */
     private void measure(double time, boolean isFirst, double h) {
-        if (finest > 1) {
+        if (finest > 1 && time > 0) {
             declared.measureTurnedAbout(dt - time);
         }
         declared.measureJointed(substep, isFirst, time, dt - time, h);
     }
 
-    /** A part of h seconds, so short that nothing turns too far about its joints in it, s. */
-    private double partOf(double h, boolean isComposed) {
-        if (!joints.isWhole()) {
-            return h;
-        }
-        double most = joints.needed.byTurning(h);
-        finest = Math.max(finest, most * dt / h);
-        double finer = isComposed ? joints.needed.finerIfComposed() : 1;
-        return h / Math.max(1, Math.ceil(Math.min(MOST_OF_TURNING, finer * most)));
+    /** How fast bodies turn about their joints at present, rad/s; 0 where nobody follows that. */
+    private double turning() {
+        double rate = joints.isWhole() ? joints.needed.turning() : 0;
+        finest = Math.max(finest, JointSubsteps.parts(rate, dt));
+        return rate;
     }
 
-    private double advanceComposed(double time, double part) {
+    /**
+     * A part of h seconds, so short that nothing turns too far in it at a rate in rad/s, s; its
+     * number is greater by a factor.
+     */
+    private static double partOf(double h, double rate, double finer) {
+        double most = finer * JointSubsteps.parts(rate, h);
+        return h / Math.max(1, Math.ceil(Math.min(MOST_OF_TURNING, most)));
+    }
+
+    private double advanceComposed(double time, double left, double rate) {
         if (ended >= most || !joints.isWhole()) {
             return NOT_COMPOSED;
         }
+        double part = partOf(left, rate, joints.needed.finerIfComposed());
         stages.beginComposed();
         if (joints.haveStops()) {
             find(part, true);

@@ -11,6 +11,9 @@ public final class Hits {
     /** Most hits kept of a step, some 5 MB; further ones are not reported. */
     private static final int MOST = 1 << 16;
 
+    private static final int FORETOLD = 1;
+    private static final int EXPECTED = 2;
+
     /** Slots of the two bodies, the struck part of each, and the slot of their pair. */
     public int[] bodyA = new int[16];
 
@@ -174,22 +177,22 @@ public final class Hits {
         return was;
     }
 
-    /** Whether the hit of a pair is noted before a solver resolves it. */
-    public boolean isForetold(int of) {
+    private boolean isForetold(int of) {
         return of < isForetold.length && isForetold[of];
     }
 
-    /** Whether a hit of a pair is expected of a solver, which has not told it yet. */
-    public boolean isExpected(int of) {
-        return of < isExpected.length && isExpected[of];
+    /** What is expected of a pair's solver, as bits for {@link #markAgain}. */
+    public int marks(int of) {
+        boolean expects = of < isExpected.length && isExpected[of];
+        return (isForetold(of) ? FORETOLD : 0) | (expects ? EXPECTED : 0);
     }
 
     /** Marks a pair as it was before a step that is made again. */
-    public void markAgain(int of, boolean wasForetold, boolean wasExpected) {
-        if (wasForetold) {
+    public void markAgain(int of, int marks) {
+        if ((marks & FORETOLD) != 0) {
             isForetold[of] = true;
         }
-        if (wasExpected) {
+        if ((marks & EXPECTED) != 0) {
             isExpected[of] = true;
         }
     }

@@ -278,4 +278,28 @@ public final class JointStore {
         }
         next[2 * before + (bodyA[before] == body ? 0 : 1)] = after;
     }
+
+    /** Distance of a joint's anchor from the centre of mass of its body A, m. */
+    public double armA(int joint) {
+        return length(anchorAX[joint], anchorAY[joint]);
+    }
+
+    /** Distance of a joint's anchor from the centre of mass of its body B, m. */
+    public double armB(int joint) {
+        return length(anchorBX[joint], anchorBY[joint]);
+    }
+
+    private static double length(double x, double y) {
+        return Math.sqrt(x * x + y * y);
+    }
+
+    /** Whether a distance joint has a greatest length, as a rope has. */
+    public boolean isRope(int joint) {
+        return upper[joint] < Double.POSITIVE_INFINITY;
+    }
+
+    /** Length of a distance joint if it is taut: the greatest of a rope, that of a rod, m. */
+    public double tautLength(int joint) {
+        return isRope(joint) ? upper[joint] : parameter[LENGTH][joint];
+    }
 }

@@ -136,8 +136,8 @@ final class ComposedSubsteps {
         double[] m = motions.data;
         double x = m[b + Motions.VX] - m[a + Motions.VX];
         double y = m[b + Motions.VY] - m[a + Motions.VY];
-        double onA = length(joints.anchorAX[slot], joints.anchorAY[slot]);
-        double onB = length(joints.anchorBX[slot], joints.anchorBY[slot]);
+        double onA = joints.armA(slot);
+        double onB = joints.armB(slot);
         double turned = onA * Math.abs(m[a + Motions.SPIN]) + onB * Math.abs(m[b + Motions.SPIN]);
         double along = jointPlaces.along(row);
         return along > 0 ? (length(x, y) + turned) / along : Double.POSITIVE_INFINITY;

@@ -98,9 +98,8 @@ public final class JointSubsteps {
      */
     public int of(int island, double dt, int usual, double finest) {
         wanted = taut.wanted(island, dt);
-        double turns = Math.max(finest, turning.ofStored(island) * dt / TautSubsteps.MOST_PHASE);
-        boolean isTurning = mayStandStill && wanted <= BY_TURNING * turns;
         boolean isFast = mayStandStill && wanted > usual;
+        boolean isTurning = isFast && isByTurning(island, dt, finest);
         loads = isFast ? taut.loads(island) : 0;
         isWedged = isFast && taut.isUnexplained(island, loads);
         isTouched = taut.meetsOthers(island);
@@ -111,12 +110,23 @@ public final class JointSubsteps {
         return standsStill() ? usual : taut.count(island, wanted, usual, isTurning);
     }
 
+    /** Whether the pull of what turns explains how fast an island vibrates. */
+    private boolean isByTurning(int island, double dt, double finest) {
+        double turns = Math.max(finest, parts(turning.ofStored(island), dt));
+        return wanted <= BY_TURNING * turns;
+    }
+
+    /** How fast bodies of the packed island turn about their joints, rad/s. */
+    public double turning() {
+        return turning.ofPacked();
+    }
+
     /**
-     * Number of parts, not rounded, into which h seconds of the packed island are to be divided so
-     * that nothing turns too far in one.
+     * Number of parts, not rounded, into which h seconds are to be divided so that nothing that
+     * turns at a rate in rad/s turns too far in one.
      */
-    public double byTurning(double h) {
-        return turning.ofPacked() * h / TautSubsteps.MOST_PHASE;
+    public static double parts(double rate, double h) {
+        return rate * h / TautSubsteps.MOST_PHASE;
     }
 
     /** Factor on that number if the parts are composed. */

@@ -224,8 +224,8 @@ final class TautSubsteps {
         double force = Math.sqrt(x * x + y * y);
         int a = joints.bodyA[joint];
         int b = joints.bodyB[joint];
-        double armA = length(joints.anchorAX[joint], joints.anchorAY[joint]);
-        double armB = length(joints.anchorBX[joint], joints.anchorBY[joint]);
+        double armA = joints.armA(joint);
+        double armB = joints.armB(joint);
         double across = stiffnessAcross(joint, force);
         double onA = squareOf(a, force * armA, armA, across);
         double onB = squareOf(b, force * armB, armB, across);
@@ -257,9 +257,7 @@ final class TautSubsteps {
         if (joints.kind[joint] != JointKind.DISTANCE.ordinal()) {
             return 0;
         }
-        double upper = joints.upper[joint];
-        double rest = joints.parameter[JointStore.LENGTH][joint];
-        double length = upper < Double.POSITIVE_INFINITY ? upper : rest;
+        double length = joints.tautLength(joint);
         return length > 0 ? force / length : 0;
     }
 

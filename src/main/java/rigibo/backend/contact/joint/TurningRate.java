@@ -73,9 +73,7 @@ final class TurningRate {
     }
 
     private double ofSpin(int joint, int a, int b, double spinA, double spinB) {
-        double armA = length(joints.anchorAX[joint], joints.anchorAY[joint]);
-        double armB = length(joints.anchorBX[joint], joints.anchorBY[joint]);
-        return Math.max(ofSpin(a, armA, spinA), ofSpin(b, armB, spinB));
+        return Math.max(ofSpin(a, joints.armA(joint), spinA), ofSpin(b, joints.armB(joint), spinB));
     }
 
     /** The pull on the axis of a turning body tends to turn it back at ω·r·√(m/I). */
@@ -95,14 +93,10 @@ final class TurningRate {
         if (joints.kind[joint] != JointKind.DISTANCE.ordinal() || joints.stiffness[joint] > 0) {
             return 0;
         }
-        double arms =
-                length(joints.anchorAX[joint], joints.anchorAY[joint])
-                        + length(joints.anchorBX[joint], joints.anchorBY[joint]);
-        double upper = joints.upper[joint];
-        boolean isRope = upper < Double.POSITIVE_INFINITY;
-        double line = isRope ? upper : joints.parameter[JointStore.LENGTH][joint];
+        double arms = joints.armA(joint) + joints.armB(joint);
+        double line = joints.tautLength(joint);
         double apart = length(bodies.x[b] - bodies.x[a] + wayX, bodies.y[b] - bodies.y[a] + wayY);
-        boolean isSlack = isRope && apart + arms < NEARLY * line;
+        boolean isSlack = joints.isRope(joint) && apart + arms < NEARLY * line;
         return isSlack || !(line + arms > 0) ? 0 : length(x, y) / (line + arms);
     }
 

@@ -11,11 +11,10 @@ import rigibo.backend.storage.Pairs;
  */
 public final class KeptContacts {
 
-    /** Numbers, whole numbers and marks that are kept of a pair. */
+    /** Numbers and whole numbers that are kept of a pair. */
     private static final int NUMBERS = 14;
 
-    private static final int WHOLES = 8;
-    private static final int MARKS = 2;
+    private static final int WHOLES = 9;
 
     private final Pairs pairs;
     private final Islands islands;
@@ -24,7 +23,6 @@ public final class KeptContacts {
 
     private double[] numbers = new double[16 * NUMBERS];
     private int[] wholes = new int[16 * WHOLES];
-    private boolean[] marks = new boolean[16 * MARKS];
 
     /** Number of hits of the step, and of impacts, before the island's. */
     private int hitCount;
@@ -47,19 +45,12 @@ public final class KeptContacts {
     /** Keeps the contacts of an island. */
     public void keep(int island) {
         int count = islands.pairStart[island + 1] - islands.pairStart[island];
-        if (marks.length < count * MARKS) {
-            int room = 2 * count;
-            numbers = new double[room * NUMBERS];
-            wholes = new int[room * WHOLES];
-            marks = new boolean[room * MARKS];
+        if (wholes.length < count * WHOLES) {
+            numbers = new double[2 * count * NUMBERS];
+            wholes = new int[2 * count * WHOLES];
         }
         hitCount = hits.count;
         impactCount = contacts.work.impacts;
-        for (int i = 0; i < count; i++) {
-            int pair = islands.pairs[islands.pairStart[island] + i];
-            marks[MARKS * i] = hits.isForetold(pair);
-            marks[MARKS * i + 1] = hits.isExpected(pair);
-        }
         pass(island, false);
     }
 
@@ -67,11 +58,6 @@ public final class KeptContacts {
     public void restore(int island) {
         hits.count = hitCount;
         contacts.work.impacts = impactCount;
-        int first = islands.pairStart[island];
-        for (int i = first; i < islands.pairStart[island + 1]; i++) {
-            int at = MARKS * (i - first);
-            hits.markAgain(islands.pairs[i], marks[at], marks[at + 1]);
-        }
         pass(island, true);
     }
 
@@ -85,6 +71,7 @@ public final class KeptContacts {
     }
 
     private void passPair(int pair) {
+        passMarks(pair);
         pass(pairs.normalX, pair);
         pass(pairs.normalY, pair);
         pass(pairs.middleX, pair);
@@ -104,6 +91,14 @@ public final class KeptContacts {
             pass(pairs.normalForce, point);
             pass(pairs.feature, point);
             pass(pairs.former, point);
+        }
+    }
+
+    private void passMarks(int pair) {
+        if (isRestoring) {
+            hits.markAgain(pair, wholes[nextWhole++]);
+        } else {
+            wholes[nextWhole++] = hits.marks(pair);
         }
     }
 
