@@ -116,13 +116,13 @@ final class JointedIslands {
     }
 
     private void advanceAndStore(int island, double dt) {
-        int substeps = substepsFor(island, dt, 0);
+        int substeps = substepsFor(island, dt, 0, 0);
         kept.keep(island);
         for (int again = 0; ; again++) {
             boolean wasTaut = joints.needed.isTaut();
             advance(island, dt, substeps);
             joints.tellGreatest(dt);
-            int wanted = substepsFor(island, dt, parts.finest());
+            int wanted = substepsFor(island, dt, parts.finest(), contacts.totalImpulse() / dt);
             boolean isNewlyTaut = joints.needed.isTautFor(substeps) && !wasTaut;
             if (again == MOST_AGAIN || wanted <= MORE * substeps && !isNewlyTaut) {
                 break;
@@ -142,13 +142,13 @@ final class JointedIslands {
         joints.store(kicks.kicked());
     }
 
-    private int substepsFor(int island, double dt, double finest) {
+    private int substepsFor(int island, double dt, double finest, double contactForce) {
         boolean areMany = joints.areCrowd(island, dt);
         int most = accuracy.substeps();
         int usual =
                 areMany
                         ? fewer.byWay(island, dt, most)
-                        : joints.needed.of(island, dt, most, finest);
+                        : joints.needed.of(island, dt, most, finest, contactForce);
         boolean isStill = !areMany && joints.needed.standsStill();
         int needed = isStill ? fewer.byWay(island, dt, MORE_IF_TAUT * most) : usual;
         return declared.substepsFor(island, dt, needed);

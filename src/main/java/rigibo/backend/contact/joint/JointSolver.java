@@ -356,10 +356,7 @@ public final class JointSolver {
     /** Begins a part of h seconds whose rows are written, before its kick. */
     public void begin(double h) {
         before = motions.fastest();
-        if (!needed.isTaut()) {
-            // A taut crowd would be solved in passes, which serve it no better.
-            budget.review();
-        }
+        budget.review();
         if (!budget.isWhole()) {
             crowd.begin(h, share);
         }

@@ -95,13 +95,14 @@ public final class JointSubsteps {
      * than that if the island is too taut for the number that is worth it.
      *
      * @param finest number of substeps that its turning needed in an attempt at the step
+     * @param contactForce mean force of its contacts in that attempt, N
      */
-    public int of(int island, double dt, int usual, double finest) {
+    public int of(int island, double dt, int usual, double finest, double contactForce) {
         wanted = taut.wanted(island, dt);
         boolean isFast = mayStandStill && wanted > usual;
         boolean isTurning = isFast && isByTurning(island, dt, finest);
         loads = isFast ? taut.loads(island) : 0;
-        isWedged = isFast && taut.isUnexplained(island, loads);
+        isWedged = isFast && taut.isUnexplained(island, loads, contactForce);
         isTouched = taut.meetsOthers(island);
         isTaut =
                 isWedged

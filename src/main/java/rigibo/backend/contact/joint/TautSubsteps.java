@@ -7,6 +7,7 @@ import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
 import rigibo.backend.storage.Islands;
 import rigibo.backend.storage.JointStore;
+import rigibo.backend.storage.Pairs;
 
 /**
  * The number of substeps that tension needs. A load F at an arm r turns back a body of inertia I
@@ -66,6 +67,7 @@ final class TautSubsteps {
     private final Bodies bodies;
     private final JointStore joints;
     private final Islands islands;
+    private final Pairs pairs;
 
     /** Most substeps if anything touches, as a multiple of the usual number. */
     private final int mostMoreIfTouched;
@@ -83,6 +85,7 @@ final class TautSubsteps {
         bodies = data.bodies;
         joints = data.jointsOrNone();
         islands = data.islands;
+        pairs = data.pairs;
     }
 
     /**
@@ -121,14 +124,16 @@ final class TautSubsteps {
 
     /**
      * Whether an island is tauter than its loads explain: the forces on its bodies, those that bend
-     * their paths to a radius of their width, and those of its motors and springs. Such an island
-     * is as long as its span, and its motion is the error of its joints.
+     * their paths to a radius of their width, those of its motors and springs, and those with which
+     * its contacts press, also in an impact. Such an island is as long as its span, and its motion
+     * is the error of its joints.
      *
      * @param loads the forces on its bodies, N
+     * @param contactForce the mean forces of its contacts in an attempt at the step, N
      */
-    boolean isUnexplained(int island, double loads) {
+    boolean isUnexplained(int island, double loads, double contactForce) {
         double strongest = 0;
-        double others = 0;
+        double others = Math.max(contactForce, pressed(island));
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             int joint = islands.joints[i];
             double force = length(joints.reactionX[joint], joints.reactionY[joint]);
@@ -144,6 +149,16 @@ final class TautSubsteps {
             }
         }
         return strongest > MOST_LOADS * (loads + others);
+    }
+
+    /** Sum of the forces with which contacts of an island pressed in the last kick, N. */
+    private double pressed(int island) {
+        double sum = 0;
+        for (int i = islands.pairStart[island]; i < islands.pairStart[island + 1]; i++) {
+            int pair = islands.pairs[i];
+            sum += pairs.normalForce[2 * pair] + pairs.normalForce[2 * pair + 1];
+        }
+        return sum;
     }
 
     /** Sum of the forces on the bodies of an island, N. */

@@ -352,4 +352,13 @@ public final class PackedContacts {
         running[count] = 0;
         return count++;
     }
+
+    /** Sum of the normal impulses of all contacts since the step began, N·s. */
+    public double totalImpulse() {
+        double sum = 0;
+        for (int row = 0; row < count; row++) {
+            sum += data[row * STRIDE + TOTAL];
+        }
+        return sum;
+    }
 }

@@ -78,4 +78,31 @@ class TautSubstepsTest {
                 square(DistanceJoint.rope(island.a, 0.3, 0.6, island.ground, 0.3, 1.2, length)),
                 truth);
     }
+
+    /**
+     * Whether a hinge that pulls is tauter than contacts explain that pressed, N, and press now.
+     */
+    private boolean isUnexplained(double pressedBefore, double contactForce) {
+        island.pool.join(RevoluteJoint.at(island.a, island.b, 0.9, 0));
+        island.pack(1, KICK);
+        island.data.jointsOrNone().reactionX[0] = PULL;
+        island.data.islands.pairStart[1] = 1;
+        island.data.islands.pairs[0] = 0;
+        island.data.pairs.normalForce[0] = pressedBefore / 4;
+        island.data.pairs.normalForce[1] = 3 * pressedBefore / 4;
+        return new TautSubsteps(island.data, Accuracy.GAME).isUnexplained(0, 0, contactForce);
+    }
+
+    /** The limit is eight times the loads. */
+    @Test
+    void impactsOfTheStepExplainTension() {
+        assertThat(isUnexplained(0, PULL / 8.1)).isTrue();
+        assertThat(isUnexplained(0, PULL / 7.9)).isFalse();
+    }
+
+    @Test
+    void whatPressedBeforeExplainsTension() {
+        assertThat(isUnexplained(PULL / 8.1, 0)).isTrue();
+        assertThat(isUnexplained(PULL / 7.9, 0)).isFalse();
+    }
 }
