@@ -19,6 +19,12 @@ final class JointedParts {
     /** Most parts of a substep that follow how fast bodies turn. */
     private static final double MOST_OF_TURNING = 64;
 
+    /**
+     * Factor on the allowed turning in a part above which it is made again in shorter ones: a kick
+     * may have driven bodies far faster than they were.
+     */
+    private static final double TOO_FAST = 1.25;
+
     /** Most searches for the end of a part. */
     private static final int MOST_LOOKS = 12;
 
@@ -203,13 +209,13 @@ final class JointedParts {
     }
 
     /** Advances a part up to the time when the first stop is reached; returns its length, s. */
-    private double follow(double time, double part, boolean isComposed) {
+    private double follow(double time, double wanted, boolean isComposed) {
+        kicks.keep();
+        kicks.advance(time, wanted, substep);
+        double part = notTooFast(time, wanted, isComposed);
         if (!strikes.areAny() && !isComposed) {
-            kicks.advance(time, part, substep);
             return part;
         }
-        kicks.keep();
-        kicks.advance(time, part, substep);
         double first = strikes.first(part, dt - time - part);
         while (strikes.areAnySoft() && !isComposed) {
             kicks.recall();
@@ -230,6 +236,23 @@ final class JointedParts {
             ended = isWedged || !isAny && gone <= INSTANT * h ? most : ended + 1;
         }
         return gone;
+    }
+
+    /**
+     * Makes a part of {@code wanted} seconds again in a shorter time if its kick made bodies turn
+     * too fast for it; returns its length, s.
+     */
+    private double notTooFast(double time, double wanted, boolean isComposed) {
+        double rate = turning();
+        double finer = isComposed ? joints.needed.finerIfComposed() : 1;
+        double part = Math.max(h / MOST_OF_TURNING, partOf(wanted, rate, finer));
+        boolean isTooFast = finer * JointSubsteps.parts(rate, wanted) > TOO_FAST;
+        if (!isTooFast || part >= wanted) {
+            return wanted;
+        }
+        kicks.recall();
+        kicks.advance(time, part, substep);
+        return part;
     }
 
     /** Advances up to the first stop; returns the length of the part, s. */
