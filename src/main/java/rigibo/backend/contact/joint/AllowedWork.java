@@ -11,10 +11,7 @@ final class AllowedWork {
      * at tan(½·asin φ) times its speed, which a later kick takes back. The square of that is ¼ at
      * {@link TautSubsteps#MOST_PHASE}.
      */
-    private static final double MOST_OF_TURNING = 0.26;
-
-    /** Largest such work if contacts carry load as well, as a share of the energy. */
-    private static final double LITTLE = 1e-2;
+    static final double MOST_OF_TURNING = 0.26;
 
     /**
      * Largest such work if Newton's method misses the places, as a share of the energy. The turning
@@ -45,12 +42,12 @@ final class AllowedWork {
     }
 
     /**
-     * Whether the work of contacts is round-off. Joints may do a little work: rows that turn in the
-     * drift after a kick take it back in the next kick.
+     * Whether the work of contacts is round-off. Joints may do what their turning explains: rows
+     * that turn in the drift after a kick take it back in the next kick.
      */
     boolean isNone() {
-        boolean isLittle = work.sum() <= LITTLE * energy();
-        double done = isLittle ? Math.min(work.sum(), work.sumOfContactsNow()) : work.sum();
+        boolean isExplained = work.sum() <= MOST_OF_TURNING * energy();
+        double done = isExplained ? Math.min(work.sum(), work.sumOfContactsNow()) : work.sum();
         return done <= RowWork.ENERGY_ROUND_OFF * energy() && work.isAllOfRows();
     }
 

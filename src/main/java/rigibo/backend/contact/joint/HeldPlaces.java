@@ -19,12 +19,6 @@ final class HeldPlaces {
     /** Share of its energy that such an island may gain. */
     private static final double GAINED = 1e-4;
 
-    /**
-     * Share that a small island may gain if its places are held: rows that turn take and give
-     * energy in turn.
-     */
-    private static final double GAINED_AT_MOST = 1e-2;
-
     /** Share of the error that a step may leave for the next step to use the same matrix. */
     private static final double GAINS = 0.2;
 
@@ -113,7 +107,7 @@ final class HeldPlaces {
             measure(h);
         }
         double gained = motions.energy(motions.data) / energy - 1;
-        double allowed = isSmall && worst <= 1 ? GAINED_AT_MOST : GAINED;
+        double allowed = isSmall && worst <= 1 ? AllowedWork.MOST_OF_TURNING : GAINED;
         if (areContacts && gained > allowed) {
             memory.recall();
         }
