@@ -71,7 +71,7 @@ class SnapshotRefusalTest {
         byte[] newer = SNAPSHOT.clone();
         newer[VERSION_AT]++;
         assertRefused(newer)
-                .withMessageContaining("format up to 10, was 11")
+                .withMessageContaining("format up to 11, was 12")
                 .withMessageContaining("a newer version wrote it");
     }
 

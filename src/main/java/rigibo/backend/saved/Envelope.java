@@ -12,7 +12,7 @@ final class Envelope {
     /**
      * To be raised when the meaning of the written bytes changes; columns have names of their own.
      */
-    static final int VERSION = 10;
+    static final int VERSION = 11;
 
     /** "RigiBo" and both line ends, which reveal a transfer as text that replaced line ends. */
     private static final long MAGIC = 0x5269_6769_426F_0D0AL;

@@ -77,6 +77,7 @@ final class JointLinks {
         Require.finite("a joint's reactionX", joints.reactionX[joint], "N");
         Require.finite("a joint's reactionY", joints.reactionY[joint], "N");
         Require.finite("a joint's reactionTurn", joints.reactionTurn[joint], "N·m");
+        Require.notNegative("a joint's pull", joints.pull[joint], "N");
         Require.notNegative("a joint's stiffness", joints.stiffness[joint], "N/m");
         Require.notNegative("a joint's damping", joints.damping[joint], "N·s/m");
     }

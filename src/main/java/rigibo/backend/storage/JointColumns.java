@@ -56,5 +56,6 @@ final class JointColumns {
         j.reactionX = v.column("reactionX", SAVED, ALWAYS, j.reactionX);
         j.reactionY = v.column("reactionY", SAVED, ALWAYS, j.reactionY);
         j.reactionTurn = v.column("reactionTurn", SAVED, ALWAYS, j.reactionTurn);
+        j.pull = v.column("pull", SAVED, ALWAYS, j.pull);
     }
 }

@@ -122,6 +122,9 @@ public final class JointStore {
     public double[] reactionY = new double[FIRST_CAPACITY];
     public double[] reactionTurn = new double[FIRST_CAPACITY];
 
+    /** Magnitude of the mean force in the last step without its impacts, N. */
+    public double[] pull = new double[FIRST_CAPACITY];
+
     /** Joints that this step visits, since one of their bodies is awake; in slot order. */
     public final Found active = new Found();
 
@@ -177,6 +180,7 @@ public final class JointStore {
         reactionX[joint] = 0;
         reactionY[joint] = 0;
         reactionTurn[joint] = 0;
+        pull[joint] = 0;
     }
 
     /** Removes a joint from both lists and frees its slot. */

@@ -11,10 +11,15 @@ final class FirstKick {
     private final JointStore joints;
     private final PackedJoints packed;
 
-    /** By joint of the packed island: its force, N. */
-    private double[] x = new double[16];
+    /** By joint of the packed island: its force in the first kick and in the last one, N. */
+    private double[] first = new double[16];
 
-    private double[] y = new double[16];
+    private double[] last = new double[16];
+
+    /** By joint: its impulse in a kick, N·s. */
+    private double[] lastX = new double[16];
+
+    private double[] lastY = new double[16];
 
     private boolean isDone;
 
@@ -26,41 +31,48 @@ final class FirstKick {
     /** Begins with an island that was just packed. */
     void begin() {
         isDone = false;
-        if (x.length < packed.count) {
-            x = new double[packed.slot.length];
-            y = new double[packed.slot.length];
+        if (first.length < packed.count) {
+            first = new double[packed.slot.length];
+            last = new double[packed.slot.length];
+            lastX = new double[packed.slot.length];
+            lastY = new double[packed.slot.length];
         }
     }
 
     /** Adds the impulses of a kick of a length in s to those of the step. */
     void add(JointResults results, double kick) {
-        if (isDone) {
-            results.add();
-            return;
-        }
-        // Impacts at the start of the step are no part of it.
+        // Impacts before it are no part of it.
         for (int i = 0; i < packed.count; i++) {
-            x[i] = -packed.givenX[i];
-            y[i] = -packed.givenY[i];
+            lastX[i] = -packed.givenX[i];
+            lastY[i] = -packed.givenY[i];
         }
         results.add();
         for (int i = 0; i < packed.count; i++) {
-            x[i] = (x[i] + packed.givenX[i]) / kick;
-            y[i] = (y[i] + packed.givenY[i]) / kick;
+            double x = lastX[i] + packed.givenX[i];
+            double y = lastY[i] + packed.givenY[i];
+            last[i] = Math.sqrt(x * x + y * y) / kick;
+            first[i] = isDone ? first[i] : last[i];
         }
         isDone = true;
     }
 
-    /** Replaces the mean forces that are stored by those of the kick where these are greater. */
+    /**
+     * Replaces the mean pulls that are stored by those of the first kick where these are greater.
+     */
     void tellGreater() {
         for (int i = 0; i < packed.count; i++) {
             int joint = packed.slot[i];
-            double meanX = joints.reactionX[joint];
-            double meanY = joints.reactionY[joint];
-            if (x[i] * x[i] + y[i] * y[i] > meanX * meanX + meanY * meanY) {
-                joints.reactionX[joint] = x[i];
-                joints.reactionY[joint] = y[i];
-            }
+            joints.pull[joint] = Math.max(joints.pull[joint], first[i]);
+        }
+    }
+
+    /**
+     * Replaces them by those of the last kick where these are less: what has gone does not last.
+     */
+    void tellLess() {
+        for (int i = 0; i < packed.count; i++) {
+            int joint = packed.slot[i];
+            joints.pull[joint] = Math.min(joints.pull[joint], last[i]);
         }
     }
 }

@@ -74,10 +74,18 @@ final class JointResults {
 
     /** Adds the impulses of an impact to those of the step. */
     void addImpact() {
+        for (int i = 0; i < packed.count; i++) {
+            packed.struckX[i] -= packed.givenX[i];
+            packed.struckY[i] -= packed.givenY[i];
+        }
         for (int row = 0; row < rows.count; row++) {
             if (rows.joint[row] != NeutralRows.NONE) {
                 add(row, rows.joint[row]);
             }
+        }
+        for (int i = 0; i < packed.count; i++) {
+            packed.struckX[i] += packed.givenX[i];
+            packed.struckY[i] += packed.givenY[i];
         }
     }
 
@@ -108,6 +116,9 @@ final class JointResults {
             joints.reactionX[joint] = packed.givenX[i] / dt;
             joints.reactionY[joint] = packed.givenY[i] / dt;
             joints.reactionTurn[joint] = packed.givenTurn[i] / dt;
+            double x = packed.givenX[i] - packed.struckX[i];
+            double y = packed.givenY[i] - packed.struckY[i];
+            joints.pull[joint] = Math.sqrt(x * x + y * y) / dt;
         }
     }
 

@@ -430,6 +430,7 @@ public final class JointSolver {
     /** Stores the mean forces of joints in a step of dt seconds. */
     public void tell(double dt) {
         results.tell(dt);
+        first.tellLess();
     }
 
     /**

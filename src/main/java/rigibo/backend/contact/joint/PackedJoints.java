@@ -10,6 +10,9 @@ import java.util.Arrays;
 /** The joints of one island: their slots, and the offsets of their bodies in the motions. */
 final class PackedJoints {
 
+    /** Numbers of a joint that are stored, to be restored. */
+    private static final int KEPT = JointStore.ROWS + 5;
+
     private final JointStore joints;
     private final Islands islands;
     private final RowBuilder builder;
@@ -27,6 +30,11 @@ final class PackedJoints {
 
     double[] givenY = new double[16];
     double[] givenTurn = new double[16];
+
+    /** By joint: the part of that impulse which impacts gave, N·s. */
+    double[] struckX = new double[16];
+
+    double[] struckY = new double[16];
 
     /** A stored copy of these impulses. */
     private double[] kept = new double[16];
@@ -50,6 +58,8 @@ final class PackedJoints {
             givenX = new double[capacity];
             givenY = new double[capacity];
             givenTurn = new double[capacity];
+            struckX = new double[capacity];
+            struckY = new double[capacity];
         }
         for (int i = 0; i < count; i++) {
             int joint = islands.joints[from + i];
@@ -63,18 +73,22 @@ final class PackedJoints {
         Arrays.fill(givenX, 0, count, 0);
         Arrays.fill(givenY, 0, count, 0);
         Arrays.fill(givenTurn, 0, count, 0);
+        Arrays.fill(struckX, 0, count, 0);
+        Arrays.fill(struckY, 0, count, 0);
     }
 
     /** Stores the impulses, so that they can be restored. */
     void keep() {
-        if (kept.length < slot.length * (JointStore.ROWS + 3)) {
-            kept = new double[slot.length * (JointStore.ROWS + 3)];
+        if (kept.length < slot.length * KEPT) {
+            kept = new double[slot.length * KEPT];
         }
         int at = count * JointStore.ROWS;
         System.arraycopy(impulse, 0, kept, 0, at);
         System.arraycopy(givenX, 0, kept, at, count);
         System.arraycopy(givenY, 0, kept, at + count, count);
         System.arraycopy(givenTurn, 0, kept, at + 2 * count, count);
+        System.arraycopy(struckX, 0, kept, at + 3 * count, count);
+        System.arraycopy(struckY, 0, kept, at + 4 * count, count);
     }
 
     /** Restores the stored impulses. */
@@ -84,6 +98,8 @@ final class PackedJoints {
         System.arraycopy(kept, at, givenX, 0, count);
         System.arraycopy(kept, at + count, givenY, 0, count);
         System.arraycopy(kept, at + 2 * count, givenTurn, 0, count);
+        System.arraycopy(kept, at + 3 * count, struckX, 0, count);
+        System.arraycopy(kept, at + 4 * count, struckY, 0, count);
     }
 
     /** Impulse of a joint's row in the last kick, N·s or N·m·s. */

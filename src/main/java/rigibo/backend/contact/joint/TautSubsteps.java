@@ -136,7 +136,7 @@ final class TautSubsteps {
         double others = Math.max(contactForce, pressed(island));
         for (int i = islands.jointStart[island]; i < islands.jointStart[island + 1]; i++) {
             int joint = islands.joints[i];
-            double force = length(joints.reactionX[joint], joints.reactionY[joint]);
+            double force = joints.pull[joint];
             strongest = Math.max(strongest, force);
             others += ofMotor(joint) + ofSpring(joint, force);
         }
@@ -234,9 +234,7 @@ final class TautSubsteps {
     }
 
     private double add(int joint) {
-        double x = joints.reactionX[joint];
-        double y = joints.reactionY[joint];
-        double force = Math.sqrt(x * x + y * y);
+        double force = joints.pull[joint];
         int a = joints.bodyA[joint];
         int b = joints.bodyB[joint];
         double armA = joints.armA(joint);

@@ -27,8 +27,7 @@ class TautSubstepsTest {
     private double square(JointDefinition joint) {
         island.pool.join(joint);
         island.pack(1, KICK);
-        island.data.jointsOrNone().reactionX[0] = 0.6 * PULL;
-        island.data.jointsOrNone().reactionY[0] = -0.8 * PULL;
+        island.data.jointsOrNone().pull[0] = PULL;
         return new TautSubsteps(island.data, Accuracy.GAME).square(0);
     }
 
@@ -85,7 +84,7 @@ class TautSubstepsTest {
     private boolean isUnexplained(double pressedBefore, double contactForce) {
         island.pool.join(RevoluteJoint.at(island.a, island.b, 0.9, 0));
         island.pack(1, KICK);
-        island.data.jointsOrNone().reactionX[0] = PULL;
+        island.data.jointsOrNone().pull[0] = PULL;
         island.data.islands.pairStart[1] = 1;
         island.data.islands.pairs[0] = 0;
         island.data.pairs.normalForce[0] = pressedBefore / 4;
