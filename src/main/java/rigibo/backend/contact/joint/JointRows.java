@@ -31,6 +31,7 @@ final class JointRows {
     private final JointGeometry geometry;
     private final JointGeometry other;
     private final SpringRows springs;
+    private final BentSprings bent;
 
     /** The places of the rows that were written. */
     final JointPlaces places;
@@ -71,6 +72,7 @@ final class JointRows {
         geometry = new JointGeometry(data.bodies, joints, poses);
         other = new JointGeometry(data.bodies, joints, poses);
         springs = new SpringRows(joints, rows);
+        bent = new BentSprings(joints, rows, packed, poses, geometry);
         places = new JointPlaces(data, rows, packed, poses);
         taut = new TautPlaces(rows);
     }
@@ -80,16 +82,22 @@ final class JointRows {
      * followed by a drift.
      */
     void write(double kickLength, double driftLength) {
-        write(kickLength, driftLength, false);
+        isAtOnce = false;
+        writeAll(kickLength, driftLength, false);
     }
 
     /**
      * Writes the rows likewise; if {@code isLast}, nothing drifts after the kick, which is the last
      * of a substep with such a drift.
+     *
+     * @param share length of the kick as a share of that of the last one
      */
-    void write(double kickLength, double driftLength, boolean isLast) {
+    void write(double kickLength, double driftLength, boolean isLast, double share) {
         isAtOnce = false;
         writeAll(kickLength, driftLength, isLast);
+        if (!isLast) {
+            bent.bend(driftLength, share);
+        }
     }
 
     /** Writes the rows of all joints for an impact, without springs and motors of limited force. */
@@ -103,6 +111,7 @@ final class JointRows {
         kick = kickLength;
         drift = driftLength;
         springs.begin(kickLength, driftLength, isLast);
+        bent.begin();
         for (joint = 0; joint < packed.count; joint++) {
             slot = packed.slot[joint];
             a = packed.offsetA[joint];
@@ -245,9 +254,12 @@ final class JointRows {
         }
         if (joints.stiffness[slot] > 0 && !isAtOnce) {
             double rest = isDistance() ? joints.parameter[JointStore.LENGTH][slot] : 0;
-            alongCoordinate(SPRING, 1);
+            int row = alongCoordinate(SPRING, 1);
             springs.write(slot, geometry.coordinate(slot) - rest);
             endSoft();
+            if (row < rows.count && springs.isStiff) {
+                bent.note(row);
+            }
         }
     }
 

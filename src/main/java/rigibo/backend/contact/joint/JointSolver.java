@@ -47,7 +47,7 @@ public final class JointSolver {
     private final ContactRows contactRows;
     private final RowElimination elimination;
     private final JointResults results;
-    private final FirstKick first;
+    private final KickForces forces;
     private final Motions motions;
     private final WholeSolver whole;
     private final CrowdSolver crowd;
@@ -103,7 +103,7 @@ public final class JointSolver {
         RowSolver solver = new RowSolver(motions, rows, elimination, accuracy);
         inertia = new TautInertia(data, motions, packed, poses, lines);
         results = new JointResults(data, packed, rows);
-        first = new FirstKick(data.jointsOrNone(), packed);
+        forces = new KickForces(data.jointsOrNone(), packed);
         budget = new JointBudget(data, rows, elimination, accuracy);
         JointPlaces places = jointRows.places;
         needed =
@@ -193,7 +193,7 @@ public final class JointSolver {
         boolean areMany = areCrowd(island, 2 * firstKick * substepsOfIsland);
         packed.pack(island, firstKick);
         inertia.begin();
-        first.begin();
+        forces.begin();
         needed.begin(areMany);
         strikes.watchNothing();
         stops.begin(2 * firstKick);
@@ -350,7 +350,7 @@ public final class JointSolver {
     private void writeRows(double kick, double h, boolean isLast) {
         areWritten = false;
         rows.clear();
-        jointRows.write(kick, h, isLast);
+        jointRows.write(kick, h, isLast, share);
     }
 
     /** Begins a part of h seconds whose rows are written, before its kick. */
@@ -382,7 +382,7 @@ public final class JointSolver {
             crowd.solve(h, before, fastest, noise, finer);
             crowd.holdPlaces(h);
         }
-        first.add(results, kicked);
+        forces.add(results, kicked);
     }
 
     /** Solves them at the end of the last kick, after which nothing drifts. */
@@ -395,7 +395,7 @@ public final class JointSolver {
         } else {
             crowd.solve(h, before, fastest, noise, finer);
         }
-        first.add(results, kicked);
+        forces.add(results, kicked);
     }
 
     /** Factor on the residual that counts as solved. */
@@ -430,7 +430,7 @@ public final class JointSolver {
     /** Stores the mean forces of joints in a step of dt seconds. */
     public void tell(double dt) {
         results.tell(dt);
-        first.tellLess();
+        forces.tellLess();
     }
 
     /**
@@ -439,7 +439,7 @@ public final class JointSolver {
      */
     public void tellGreatest(double dt) {
         results.tell(dt);
-        first.tellGreater();
+        forces.tellGreater();
     }
 
     /** Stores the forces of joints in the last kick, given its length in s. */

@@ -55,8 +55,10 @@ final class SpringRows {
         this.rows = rows;
     }
 
-    /** Whether any row written since {@link #begin} is stiff. */
+    /** Whether any row written since {@link #begin} is stiff, and whether the last one is. */
     boolean areAnyStiff;
+
+    boolean isStiff;
 
     /** Begins with rows for a kick in a substep of h seconds, after which bodies may drift. */
     void begin(double kickLength, double h, boolean isLast) {
@@ -85,7 +87,8 @@ final class SpringRows {
         double k = joints.stiffness[slot];
         double c = joints.damping[slot];
         double phase = drift * drift * k * rows.response[row];
-        if (isImplicit || phase > STIFF * STIFF) {
+        isStiff = isImplicit || phase > STIFF * STIFF;
+        if (isStiff) {
             double length = Math.abs(drift);
             areAnyStiff = true;
             rows.give[row] = 1 / (kick * (c + length * k));

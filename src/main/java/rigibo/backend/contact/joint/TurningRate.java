@@ -86,16 +86,23 @@ final class TurningRate {
     }
 
     /**
-     * The rate of a rod or rope between bodies that part at x, y m/s and have moved apart by a way
-     * in m; 0 for a rope that is slack.
+     * The rate of a rod, rope or spring between bodies that part at x, y m/s and have moved apart
+     * by a way in m; 0 for a rope that is slack, and for a spring that draws together to a point.
      */
     private double ofLine(int joint, int a, int b, double x, double y, double wayX, double wayY) {
-        if (joints.kind[joint] != JointKind.DISTANCE.ordinal() || joints.stiffness[joint] > 0) {
+        if (joints.kind[joint] != JointKind.DISTANCE.ordinal()) {
             return 0;
         }
+        double dx = bodies.x[b] - bodies.x[a] + wayX;
+        double dy = bodies.y[b] - bodies.y[a] + wayY;
+        double apart = length(dx, dy);
         double arms = joints.armA(joint) + joints.armB(joint);
         double line = joints.tautLength(joint);
-        double apart = length(bodies.x[b] - bodies.x[a] + wayX, bodies.y[b] - bodies.y[a] + wayY);
+        if (joints.stiffness[joint] > 0) {
+            // Along itself a spring may change its length as fast as it likes.
+            double across = apart > 0 ? Math.abs(dx * y - dy * x) / apart : 0;
+            return line > 0 ? across / (Math.max(apart, line) + arms) : 0;
+        }
         boolean isSlack = joints.isRope(joint) && apart + arms < NEARLY * line;
         return isSlack || !(line + arms > 0) ? 0 : length(x, y) / (line + arms);
     }

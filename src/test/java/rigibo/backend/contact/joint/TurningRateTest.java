@@ -83,13 +83,6 @@ class TurningRateTest {
         assertThat(rate.ofPacked()).isCloseTo(3 / length, within(ROUND_OFF));
     }
 
-    @Test
-    void aSoftRodHoldsNothing() {
-        b.velocity(0, 3);
-        join(DistanceJoint.rod(a, a.x(), a.y(), b, b.x(), b.y()).spring(5, 0.1));
-        expect(0);
-    }
-
     /** Boxes of 1 × ½ m have I = m·(1 + ¼)/12. */
     @Test
     void aHingeAtACornerTurnsAtTheBodysSpin() {
@@ -121,5 +114,27 @@ class TurningRateTest {
         expect(2 * slow);
         b.spin(1);
         expect(2 * slow);
+    }
+
+    private void spring() {
+        join(DistanceJoint.rod(a, a.x(), a.y(), b, b.x(), b.y()).spring(5, 0));
+    }
+
+    /** 3 m/s across the line, and anything along it. */
+    @Test
+    void aSpringTurnsAsFastAsItsEndsMoveAcrossIt() {
+        spring();
+        double x = (b.x() - a.x()) / apart();
+        double y = (b.y() - a.y()) / apart();
+        b.velocity(7 * x - 3 * y, 7 * y + 3 * x);
+        expect(3 / apart());
+    }
+
+    /** Its force is as large in any direction, so that none has to be followed. */
+    @Test
+    void aSpringThatDrawsTogetherToAPointDoesNotTurn() {
+        join(DistanceJoint.rod(a, a.x(), a.y(), b, b.x(), b.y()).length(0).spring(5, 0));
+        b.velocity(2, 3);
+        expect(0);
     }
 }

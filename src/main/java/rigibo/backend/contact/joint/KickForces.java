@@ -3,10 +3,11 @@ package rigibo.backend.contact.joint;
 import rigibo.backend.storage.JointStore;
 
 /**
- * The forces of an island's joints in the first kick of a step. It is made at true places, while
- * the mean forces of a step are wrong if its substeps do not follow the island.
+ * The forces of an island's joints in the first kick of a step and in the last one. The first is
+ * made at true places, while the mean forces of a step are wrong if its substeps do not follow the
+ * island. The last tells which of them go on.
  */
-final class FirstKick {
+final class KickForces {
 
     private final JointStore joints;
     private final PackedJoints packed;
@@ -23,7 +24,7 @@ final class FirstKick {
 
     private boolean isDone;
 
-    FirstKick(JointStore joints, PackedJoints packed) {
+    KickForces(JointStore joints, PackedJoints packed) {
         this.joints = joints;
         this.packed = packed;
     }
