@@ -11,7 +11,13 @@ final class AllowedWork {
      * at tan(½·asin φ) times its speed, which a later kick takes back. The square of that is ¼ at
      * {@link TautSubsteps#MOST_PHASE}.
      */
-    static final double MOST_OF_TURNING = 0.26;
+    private static final double MOST_OF_TURNING = 0.26;
+
+    /**
+     * Largest such work if contacts carry load as well and nothing turns fast, as a share of the
+     * energy.
+     */
+    private static final double LITTLE = 1e-2;
 
     /**
      * Largest such work if Newton's method misses the places, as a share of the energy. The turning
@@ -25,9 +31,23 @@ final class AllowedWork {
     private final Motions motions;
     private final RowWork work;
 
+    /** Work that the turning of rows explains if contacts carry load, as a share of the energy. */
+    private double explained;
+
     AllowedWork(Motions motions, RowWork work) {
         this.motions = motions;
         this.work = work;
+    }
+
+    /** Begins a kick before a drift in which joints turn by an angle, rad. */
+    void begin(double turned) {
+        double share = turned / TautSubsteps.MOST_PHASE;
+        explained = Math.max(LITTLE, MOST_OF_TURNING * Math.min(1, share * share));
+    }
+
+    /** Share of the energy that the turning of rows explains as work if contacts carry load. */
+    double explained() {
+        return explained;
     }
 
     /**
@@ -46,7 +66,7 @@ final class AllowedWork {
      * that turn in the drift after a kick take it back in the next kick.
      */
     boolean isNone() {
-        boolean isExplained = work.sum() <= MOST_OF_TURNING * energy();
+        boolean isExplained = work.sum() <= explained * energy();
         double done = isExplained ? Math.min(work.sum(), work.sumOfContactsNow()) : work.sum();
         return done <= RowWork.ENERGY_ROUND_OFF * energy() && work.isAllOfRows();
     }

@@ -77,8 +77,11 @@ final class HeldPlaces {
     /**
      * Holds the places in a drift of h seconds; velocities count as solved within {@code settled}
      * m/s.
+     *
+     * @param explained share of its energy that a small island with contacts may gain if its places
+     *     are held: rows that turn take and give energy in turn
      */
-    void hold(double h, double settled, boolean areContacts, boolean isSmall) {
+    void hold(double h, double settled, boolean areContacts, boolean isSmall, double explained) {
         double energy = motions.energy(motions.data);
         memory.keep();
         double before = Double.POSITIVE_INFINITY;
@@ -107,7 +110,7 @@ final class HeldPlaces {
             measure(h);
         }
         double gained = motions.energy(motions.data) / energy - 1;
-        double allowed = isSmall && worst <= 1 ? AllowedWork.MOST_OF_TURNING : GAINED;
+        double allowed = isSmall && worst <= 1 ? explained : GAINED;
         if (areContacts && gained > allowed) {
             memory.recall();
         }

@@ -86,12 +86,13 @@ final class WholeSolver {
     void solve(double h, double carried, double fastest, double noise, double finer) {
         double settled = settled(finer, fastest);
         work.begin();
+        allowed.begin(contactRows.areAny() ? needed.turning() * Math.abs(h) : 0);
         boolean isSolved = solveRows(carried, settled);
         if (needed.isTaut()) {
             // Kicks along the rows at the start would tremble against the larger inertia.
             places.leave();
         } else {
-            places.hold(h, settled, contactRows.carry(), budget.isSmall());
+            places.hold(h, settled, contactRows.carry(), budget.isSmall(), allowed.explained());
         }
         boolean isGained = allowed.isExceeded(places.areHeld(), noise);
         if (isGained && !contactRows.carry() || areStrained(fastest)) {
@@ -105,6 +106,7 @@ final class WholeSolver {
     void solveAtRest(double carried, double fastest, double noise, double finer) {
         double settled = settled(finer, fastest);
         work.begin();
+        allowed.begin(0);
         boolean isSolved = solveRows(carried, settled);
         secure(isSolved, allowed.isExceeded(false, noise), settled);
         contactRows.store();
