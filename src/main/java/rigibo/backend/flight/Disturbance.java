@@ -42,6 +42,8 @@ final class Disturbance {
     /** Null if joints are not declared. */
     private final JointStore joints;
 
+    private final JointStops stops;
+
     /**
      * Bodies whose neighbours are still to be searched, in the order found; and those in progress.
      */
@@ -62,6 +64,7 @@ final class Disturbance {
         bodies = data.bodies;
         pairs = data.pairs;
         joints = data.joints;
+        stops = new JointStops(data);
         this.paths = paths;
         this.bystanders = bystanders;
         this.waking = waking;
@@ -88,7 +91,22 @@ final class Disturbance {
                 noteBouncers(pairs.active[i], dt);
             }
         }
+        for (int i = 0; joints != null && i < joints.active.count; i++) {
+            noteStruck(joints.active.numbers[i], dt);
+        }
         spread(0, dt);
+    }
+
+    /** Records the reach that the bodies of a joint get by striking its stops in dt seconds. */
+    private void noteStruck(int joint, double dt) {
+        int a = joints.bodyA[joint];
+        int b = joints.bodyB[joint];
+        double reach = stops.reach(joint, dt);
+        if (reach > 0) {
+            double both = bodies.inverseMass[a] + bodies.inverseMass[b];
+            note(a, reach * bodies.inverseMass[a] / both);
+            note(b, reach * bodies.inverseMass[b] / both);
+        }
     }
 
     /**
