@@ -13,6 +13,7 @@ import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
 
 import java.util.SplittableRandom;
+import java.util.function.BiConsumer;
 
 /** What drives, strikes or turns joints fast leaves them closed and gives them no energy. */
 class FastJointsTest {
@@ -79,32 +80,33 @@ class FastJointsTest {
     @ParameterizedTest
     @ValueSource(doubles = {-2, 0.5, 1, 1.7})
     void gearsOfAStruckBarStayClosed(double ratio) {
-        SplittableRandom random = new SplittableRandom(7);
-        int struck = 0;
-        for (int i = 0; i < 40; i++) {
-            Pool pool = new Pool(JointScenes.SPACE, Accuracy.GAME);
-            RigidBody hook = JointScenes.hook(pool, 0, 0.5);
-            RigidBody bar = bar(pool, 0.2);
-            RigidBody other = bar(pool, -1.3);
-            Joint hinge = pool.join(RevoluteJoint.at(hook, bar, 0, 0.5));
-            Joint second = pool.join(RevoluteJoint.at(hook, other, 0, -1.3));
-            pool.join(GearJoint.of(hinge, second, ratio));
-            struck += strike(pool, random, 0.4 * random.nextDouble() - 0.1, i);
-        }
-        assertThat(struck).isGreaterThanOrEqualTo(40);
+        strikeBars(
+                7,
+                (pool, hinge) -> {
+                    RigidBody other = bar(pool, -1.3);
+                    Joint second = pool.join(RevoluteJoint.at(hinge.a(), other, 0, -1.3));
+                    pool.join(GearJoint.of(hinge, second, ratio));
+                });
     }
 
-    /** Likewise a bar whose hinge has elastic limits. */
+    /** The hinge of the bar has elastic limits, which it strikes as well. */
     @ParameterizedTest
     @ValueSource(doubles = {0.3, 0.5, 1.1})
     void limitsOfAStruckBarStayClosed(double limit) {
-        SplittableRandom random = new SplittableRandom(8);
+        strikeBars(
+                8,
+                (pool, hinge) ->
+                        hinge.settings(hinge.definition().limits(-limit, limit, 1).settings()));
+    }
+
+    /** Strikes forty bars, each on a hinge that is completed beforehand. */
+    private static void strikeBars(long seed, BiConsumer<Pool, Joint> complete) {
+        SplittableRandom random = new SplittableRandom(seed);
         int struck = 0;
         for (int i = 0; i < 40; i++) {
             Pool pool = new Pool(JointScenes.SPACE, Accuracy.GAME);
             RigidBody hook = JointScenes.hook(pool, 0, 0.5);
-            RigidBody bar = bar(pool, 0.2);
-            pool.join(RevoluteJoint.at(hook, bar, 0, 0.5).limits(-limit, limit, 1));
+            complete.accept(pool, pool.join(RevoluteJoint.at(hook, bar(pool, 0.2), 0, 0.5)));
             struck += strike(pool, random, 0.4 * random.nextDouble() - 0.1, i);
         }
         assertThat(struck).isGreaterThanOrEqualTo(40);
