@@ -6,6 +6,7 @@ import rigibo.backend.setup.Require;
 import rigibo.backend.step.StepPlan;
 import rigibo.backend.storage.Bodies;
 import rigibo.backend.storage.DataStorage;
+import rigibo.backend.storage.JointReading;
 import rigibo.backend.storage.JointStore;
 import rigibo.backend.storage.Pairs;
 import rigibo.backend.storage.Waking;

@@ -6,6 +6,7 @@ import rigibo.backend.setup.JointMotor;
 import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.JointSpring;
 import rigibo.backend.setup.Require;
+import rigibo.backend.storage.JointReading;
 import rigibo.backend.storage.JointStore;
 
 /**

@@ -7,6 +7,7 @@ import rigibo.backend.setup.JointMotor;
 import rigibo.backend.setup.JointSettings;
 import rigibo.backend.setup.JointSpring;
 import rigibo.backend.storage.Bodies;
+import rigibo.backend.storage.JointReading;
 import rigibo.backend.storage.JointStore;
 
 /** Writes definitions into the columns of joints, and reads them back. */

@@ -126,6 +126,11 @@ final class Bystanders {
         return Math.sqrt(x * x + y * y);
     }
 
+    /** A distance in m by which a body may leave its path; 0 within its allowance. */
+    double unlessAllowed(int slot, double way) {
+        return leavesPath(slot, way) ? way : 0;
+    }
+
     /** Whether a distance in m is more than the body's allowance. */
     private boolean leavesPath(int slot, double way) {
         return way > allowance * bodies.smallestWidth[slot];
@@ -235,7 +240,7 @@ final class Bystanders {
         double left = reach - Math.max(0, pairs.gap(pair) - narrowphase.reach(pair, dt));
         double share = shareOf(struck, pair);
         double handedOn = left * (paths.isFlyer(struck) ? Math.max(1, share) : share);
-        return leavesPath(struck, handedOn) ? handedOn : 0;
+        return unlessAllowed(struck, handedOn);
     }
 
     /** Speed that the struck body of a pair gains, as a share of the speed of the other. */

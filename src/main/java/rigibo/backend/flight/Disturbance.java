@@ -43,6 +43,7 @@ final class Disturbance {
     private final JointStore joints;
 
     private final JointStops stops;
+    private final JointDrives drives;
 
     /**
      * Bodies whose neighbours are still to be searched, in the order found; and those in progress.
@@ -65,6 +66,7 @@ final class Disturbance {
         pairs = data.pairs;
         joints = data.joints;
         stops = new JointStops(data);
+        drives = new JointDrives(data);
         this.paths = paths;
         this.bystanders = bystanders;
         this.waking = waking;
@@ -93,6 +95,7 @@ final class Disturbance {
         }
         for (int i = 0; joints != null && i < joints.active.count; i++) {
             noteStruck(joints.active.numbers[i], dt);
+            noteDriven(joints.active.numbers[i], dt);
         }
         spread(0, dt);
     }
@@ -107,6 +110,14 @@ final class Disturbance {
             note(a, reach * bodies.inverseMass[a] / both);
             note(b, reach * bodies.inverseMass[b] / both);
         }
+    }
+
+    /** Records the reach that a joint's spring and motor give its bodies in dt seconds. */
+    private void noteDriven(int joint, double dt) {
+        int a = joints.bodyA[joint];
+        int b = joints.bodyB[joint];
+        note(a, bystanders.unlessAllowed(a, drives.way(joint, a, dt)));
+        note(b, bystanders.unlessAllowed(b, drives.way(joint, b, dt)));
     }
 
     /**

@@ -73,9 +73,10 @@ class JointStopsTest {
     @Test
     void limitsOfASliderLieAlongItsAxis() {
         storage.bodies.velocityX[b] = 4;
-        storage.bodies.angle[a] = 0.5;
+        storage.bodies.cos[a] = 0.8;
+        storage.bodies.sin[a] = 0.6;
         int joint = join(JointKind.PRISMATIC, 0, 0.76);
-        joints.axisA[joint] = -0.5;
+        joints.axisA[joint] = -Math.atan2(0.6, 0.8);
         joints.anchorBX[joint] = -0.2;
         expect(joint, 1.5 * 4 * DT);
         joints.upper[joint] = 0.79;

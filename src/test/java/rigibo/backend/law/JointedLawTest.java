@@ -1,7 +1,5 @@
 package rigibo.backend.law;
 
-import org.junit.jupiter.api.Disabled;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,12 +21,7 @@ import java.util.function.LongFunction;
 class JointedLawTest {
 
     private static final int FEW = 4;
-
-    /** A scene that gains seven times what it may. */
-    private static final Seeds GAINING_AT_FINE = Seeds.of(32L);
-
-    /** A scene that gains up to 60 times what it may once a body in it is stopped, but at EXACT. */
-    private static final Seeds STOPPED = Seeds.of(38L);
+    private static final int FEWER = 4;
 
     /** Half a second: chains that swing multiply what two runs differ by. */
     private static final int STEPS_OF_A_SWING = 30;
@@ -37,22 +30,11 @@ class JointedLawTest {
     @ParameterizedTest
     @EnumSource(Preset.class)
     void pilesGainNoEnergy(Preset preset) {
-        boolean isFine = preset == Preset.FINE;
-        holdPiles(isFine ? seeds(preset).without(GAINING_AT_FINE) : seeds(preset), preset, 300);
-    }
-
-    @Disabled("at FINE one scene of 40 gains 7.4e-3 in a step")
-    @Test
-    void pilesGainNoEnergyAtFine() {
-        holdPiles(GAINING_AT_FINE, Preset.FINE, 1);
-    }
-
-    private static void holdPiles(Seeds seeds, Preset preset, long least) {
         Laws.hold(
-                seeds,
+                Seeds.upTo(preset == Preset.EXACT ? 8 : 200),
                 trays(preset),
                 (scene, asked) -> DressLawTest.gainsAtMost(1e-3, scene, asked),
-                new Quota(least, "loaded contacts in piles"));
+                new Quota(preset == Preset.EXACT ? 75 : 1500, "loaded contacts in piles"));
     }
 
     /** A power of two changes no digit. */
@@ -63,7 +45,7 @@ class JointedLawTest {
                 seeds(preset),
                 trays(preset),
                 (scene, asked) -> SymmetryLawTest.sameToTheEnd(Symmetry.SMALL, scene, asked),
-                new Quota(500, "loaded contacts"));
+                quota(preset, 500, "loaded contacts"));
     }
 
     /** Tolerances grow with the bodies, and a power of two changes no digit. */
@@ -105,7 +87,7 @@ class JointedLawTest {
                 seeds(preset),
                 trays(preset),
                 OrderLawTest::sameAmongStrangers,
-                new Quota(300, "loaded contacts in piles"));
+                quota(preset, 300, "loaded contacts in piles"));
     }
 
     @ParameterizedTest
@@ -115,7 +97,7 @@ class JointedLawTest {
                 seeds(preset),
                 trays(preset),
                 DressLawTest::goesOnAlike,
-                new Quota(10, "snapshots"));
+                quota(preset, 30, "snapshots"));
     }
 
     @ParameterizedTest
@@ -133,22 +115,11 @@ class JointedLawTest {
     @ParameterizedTest
     @CsvSource({"DRAFT, 1e-2", "GAME, 2e-3", "FINE, 1e-3"})
     void gentleEditsAddNoEnergy(Preset preset, double limit) {
-        holdEdits(seeds(preset).without(STOPPED), preset, limit, 100);
-    }
-
-    @Disabled("one scene of 40: a stop gains 0.28 of the largest motion at DRAFT, 0.12 at GAME")
-    @ParameterizedTest
-    @CsvSource({"DRAFT, 1e-2", "GAME, 2e-3", "FINE, 1e-3"})
-    void stopsAddNoEnergy(Preset preset, double limit) {
-        holdEdits(STOPPED, preset, limit, 1);
-    }
-
-    private static void holdEdits(Seeds seeds, Preset preset, double limit, long least) {
         Laws.hold(
-                seeds,
+                Seeds.upTo(120),
                 seed -> edited(seed, preset),
                 (scene, asked) -> EditsLawTest.gentlyEdited(limit, scene, asked),
-                new Quota(least, "edits of what touched"));
+                new Quota(300, "edits of what touched"));
     }
 
     @ParameterizedTest
@@ -158,7 +129,7 @@ class JointedLawTest {
                 seeds(preset),
                 seed -> edited(seed, preset),
                 EditsLawTest::roughlyEdited,
-                new Quota(110, "steps that took overlap back"));
+                quota(preset, 110, "steps that took overlap back"));
     }
 
     /** Fewer where each takes long. */
@@ -170,8 +141,13 @@ class JointedLawTest {
         return seed -> Links.on(Surroundings.tray(seed, preset.accuracy));
     }
 
+    /** A fifth of the scenes at EXACT, where each takes long, have at least a quarter. */
+    private static Quota quota(Preset preset, long least, String what) {
+        return new Quota(preset == Preset.EXACT ? least / FEWER : least, what);
+    }
+
     private static Seeds seeds(Preset preset) {
-        return Seeds.upTo(preset == Preset.EXACT ? 14 : 40);
+        return Seeds.upTo(preset == Preset.EXACT ? 8 : 40);
     }
 
     /** A tray, every other one with sleep. */

@@ -64,6 +64,15 @@ final class NearRows {
     }
 
     /**
+     * Speed that a row keeps since it is kept near its last impulse. All its work over many kicks
+     * is at most what such a compliance stores, since j·(c − j) ≤ (c² − j²)/2.
+     */
+    double speedOf(int row) {
+        double more = rows.give[row] - give[row];
+        return rows.target[row] - target[row] - more * rows.impulse[row];
+    }
+
+    /**
      * Writes targets and compliances again as they were; friction gets a compliance towards changes
      * of its last impulse, as a share of its response.
      */

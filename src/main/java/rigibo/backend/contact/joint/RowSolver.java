@@ -47,7 +47,7 @@ final class RowSolver {
     private final NeutralRows rows;
     private final RowElimination elimination;
     private final ActiveRows active;
-    private final NearRows near;
+    final NearRows near;
     private final SlidingRows sliding;
     private final RowDescent descent;
 

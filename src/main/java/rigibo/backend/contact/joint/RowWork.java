@@ -15,6 +15,7 @@ final class RowWork {
     static final double ENERGY_ROUND_OFF = 1e-6;
 
     private final NeutralRows rows;
+    private final NearRows near;
 
     /** By row: its speed without impulses, m/s. */
     private double[] before = new double[64];
@@ -27,9 +28,10 @@ final class RowWork {
 
     private final Motions motions;
 
-    RowWork(Motions motions, NeutralRows rows) {
+    RowWork(Motions motions, NeutralRows rows, NearRows near) {
         this.motions = motions;
         this.rows = rows;
+        this.near = near;
     }
 
     /** Stores the velocities of bodies without impulses, and the speeds of rows. */
@@ -65,15 +67,22 @@ final class RowWork {
 
     /**
      * Work of contacts and of rows that hold places since {@link #begin}, J. They may do none,
-     * except for taut joints at the speeds at which they close.
+     * except for taut joints at the speeds at which they close. A spring that presses against such
+     * rows takes as much as they seem to do while a body is stopped between them; hence the work at
+     * their present speeds counts if that is less.
      */
     double sum() {
         double sum = 0;
+        double now = 0;
         for (int row = 0; row < rows.count; row++) {
             boolean mayDoNone = rows.holdsPlace[row] || rows.contact[row] != NeutralRows.NONE;
-            sum += rows.impulse[row] != 0 && mayDoNone ? of(row) - ofClosing(row) : 0;
+            if (rows.impulse[row] != 0 && mayDoNone) {
+                double closing = ofClosing(row);
+                sum += of(row) - closing;
+                now += rows.impulse[row] * rows.speed(row) - closing;
+            }
         }
-        return sum;
+        return Math.min(sum, now);
     }
 
     /**
@@ -84,7 +93,7 @@ final class RowWork {
         double sum = 0;
         for (int row = 0; row < rows.count; row++) {
             if (rows.impulse[row] != 0 && rows.contact[row] != NeutralRows.NONE) {
-                double driven = rows.isPoint(row) ? 0 : rows.target[row];
+                double driven = rows.isPoint(row) ? near.speedOf(row) : rows.target[row];
                 sum += rows.impulse[row] * (rows.speed(row) - driven);
             }
         }
@@ -116,7 +125,8 @@ final class RowWork {
     /** Work of a taut joint at the speed that it aims at, J. */
     private double ofClosing(int row) {
         double impulse = rows.impulse[row];
-        boolean mayClose = rows.holdsPlace[row] && rows.isEquation(row);
+        boolean isTaut = rows.isEquation(row) || rows.give[row] > 0;
+        boolean mayClose = rows.holdsPlace[row] && isTaut;
         return mayClose ? impulse * (rows.target[row] - rows.give[row] * impulse) : 0;
     }
 
@@ -135,7 +145,7 @@ final class RowWork {
 
     /**
      * Sets the target speeds of contacts and of rows that hold places to at most 0, since others
-     * could do work.
+     * could do work. Taut joints become rigid, since without a target their loads would move them.
      */
     void rest() {
         for (int row = 0; row < rows.count; row++) {
@@ -143,6 +153,9 @@ final class RowWork {
                 rows.target[row] = Math.min(0, rows.target[row]);
                 if (rows.isEquation(row)) {
                     rows.target[row] = 0;
+                }
+                if (rows.holdsPlace[row]) {
+                    rows.give[row] = 0;
                 }
             }
         }

@@ -15,13 +15,14 @@ import rigibo.backend.storage.JointStore;
 final class TurningRate {
 
     /** Share of its length from which on a rope counts as taut. */
-    private static final double NEARLY = 0.98;
+    static final double NEARLY = 0.98;
 
     private final Bodies bodies;
     private final JointStore joints;
     private final Islands islands;
     private final Motions motions;
     private final PackedJoints packed;
+    private final PulleyRate pulleys;
 
     TurningRate(DataStorage data, Motions motions, PackedJoints packed) {
         bodies = data.bodies;
@@ -29,6 +30,7 @@ final class TurningRate {
         islands = data.islands;
         this.motions = motions;
         this.packed = packed;
+        pulleys = new PulleyRate(bodies, joints, motions);
     }
 
     /** The fastest rate in an island by the stored velocities. */
@@ -42,8 +44,13 @@ final class TurningRate {
             double y = bodies.velocityY[b] - bodies.velocityY[a];
             most = Math.max(most, ofSpin(joint, a, b, spin(a), spin(b)));
             most = Math.max(most, ofLine(joint, a, b, x, y, 0, 0));
+            most = Math.max(most, isPulley(joint) ? pulleys.ofStored(joint) : 0);
         }
         return most;
+    }
+
+    private boolean isPulley(int joint) {
+        return joints.kind[joint] == JointKind.PULLEY.ordinal();
     }
 
     private double spin(int body) {
@@ -68,6 +75,7 @@ final class TurningRate {
             double wayX = m[b + Motions.DX] - m[a + Motions.DX];
             double wayY = m[b + Motions.DY] - m[a + Motions.DY];
             most = Math.max(most, ofLine(joint, bodyA, bodyB, x, y, wayX, wayY));
+            most = Math.max(most, isPulley(joint) ? pulleys.of(joint, a, b) : 0);
         }
         return most;
     }

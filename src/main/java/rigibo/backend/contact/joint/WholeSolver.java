@@ -56,7 +56,7 @@ final class WholeSolver {
         this.overlap = overlap;
         this.budget = budget;
         this.needed = needed;
-        work = new RowWork(motions, rows);
+        work = new RowWork(motions, rows, solver.near);
         allowed = new AllowedWork(motions, work);
         passes = new RowPasses(rows);
         this.tolerance = tolerance;
@@ -152,9 +152,18 @@ final class WholeSolver {
         if (mayDoWork && !isNone) {
             work.takeBack();
             work.rest();
-            passes.run(budget.mostPasses(), settled);
-            solver.holdEquations();
+            if (elimination.isSpent() || !isSolvedAtRest(settled)) {
+                work.takeBack();
+                passes.run(budget.mostPasses(), settled);
+                solver.holdEquations();
+            }
         }
+    }
+
+    /** Solves rows whose targets are at rest; returns whether they do no work then. */
+    private boolean isSolvedAtRest(double settled) {
+        solver.begin();
+        return solver.solve(settled) && allowed.isNone();
     }
 
     /** Removes overlap with joints held, after a drift of h seconds. */

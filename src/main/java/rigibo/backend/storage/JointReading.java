@@ -1,12 +1,10 @@
-package rigibo.backend;
+package rigibo.backend.storage;
 
 import rigibo.backend.geometry.Angle;
 import rigibo.backend.setup.JointKind;
-import rigibo.backend.storage.Bodies;
-import rigibo.backend.storage.JointStore;
 
 /** Coordinates, speeds and errors of joints at the present state of their bodies. */
-final class JointReading {
+public final class JointReading {
 
     private final Bodies bodies;
     private final JointStore joints;
@@ -31,7 +29,7 @@ final class JointReading {
 
     private double axisY;
 
-    JointReading(Bodies bodies, JointStore joints) {
+    public JointReading(Bodies bodies, JointStore joints) {
         this.bodies = bodies;
         this.joints = joints;
     }
@@ -61,7 +59,8 @@ final class JointReading {
         return joints.kind[joint] == kind.ordinal();
     }
 
-    double translation(int joint) {
+    /** Distance of the anchors along the joint's axis, m. */
+    public double translation(int joint) {
         measure(joint);
         return dx * axisX + dy * axisY;
     }
@@ -73,11 +72,12 @@ final class JointReading {
     }
 
     /** The joint's coordinate: rad for a hinge, m for all other kinds. */
-    double coordinate(int joint) {
+    public double coordinate(int joint) {
         return isOf(joint, JointKind.REVOLUTE) ? angle(joint) : translation(joint);
     }
 
-    double speed(int joint) {
+    /** Rate of the coordinate, rad/s or m/s. */
+    public double speed(int joint) {
         int a = joints.bodyA[joint];
         int b = joints.bodyB[joint];
         double spinA = bodies.spinOf(a);
@@ -93,7 +93,8 @@ final class JointReading {
         return vx * axisX + vy * axisY;
     }
 
-    double error(int joint) {
+    /** How far the anchors are from where the joint holds them, m; rad for some gears. */
+    public double error(int joint) {
         measure(joint);
         return switch (joints.kindOf(joint)) {
             case REVOLUTE, WELD -> Math.sqrt(dx * dx + dy * dy);
@@ -119,7 +120,7 @@ final class JointReading {
     }
 
     /** q₁ + ratio·q₂, which a gear keeps constant. */
-    double geared(int joint) {
+    public double geared(int joint) {
         double ratio = joints.parameter[JointStore.RATIO][joint];
         return coordinate(joints.firstGeared[joint])
                 + ratio * coordinate(joints.secondGeared[joint]);
@@ -137,7 +138,8 @@ final class JointReading {
                 + p[JointStore.RATIO][joint] * Math.sqrt(bx * bx + by * by);
     }
 
-    double angleError(int joint) {
+    /** Angle by which a slider or a rigid weld is turned, rad. */
+    public double angleError(int joint) {
         boolean isHeld =
                 isOf(joint, JointKind.PRISMATIC)
                         || isOf(joint, JointKind.WELD) && joints.stiffness[joint] == 0;
@@ -145,7 +147,7 @@ final class JointReading {
     }
 
     /** Deflection of a joint's spring from its rest position, m or rad. */
-    double strain(int joint) {
+    public double strain(int joint) {
         return switch (joints.kindOf(joint)) {
             case WELD -> angle(joint);
             case DISTANCE -> translation(joint) - joints.parameter[JointStore.LENGTH][joint];
