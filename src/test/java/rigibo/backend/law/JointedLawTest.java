@@ -31,10 +31,10 @@ class JointedLawTest {
     @EnumSource(Preset.class)
     void pilesGainNoEnergy(Preset preset) {
         Laws.hold(
-                Seeds.upTo(preset == Preset.EXACT ? 8 : 200),
+                Seeds.upTo(preset == Preset.EXACT ? 8 : 300),
                 trays(preset),
                 (scene, asked) -> DressLawTest.gainsAtMost(1e-3, scene, asked),
-                new Quota(preset == Preset.EXACT ? 75 : 1500, "loaded contacts in piles"));
+                new Quota(preset == Preset.EXACT ? 75 : 2250, "loaded contacts in piles"));
     }
 
     /** A power of two changes no digit. */
@@ -116,10 +116,10 @@ class JointedLawTest {
     @CsvSource({"DRAFT, 1e-2", "GAME, 2e-3", "FINE, 1e-3"})
     void gentleEditsAddNoEnergy(Preset preset, double limit) {
         Laws.hold(
-                Seeds.upTo(120),
+                Seeds.upTo(150),
                 seed -> edited(seed, preset),
                 (scene, asked) -> EditsLawTest.gentlyEdited(limit, scene, asked),
-                new Quota(300, "edits of what touched"));
+                new Quota(375, "edits of what touched"));
     }
 
     @ParameterizedTest

@@ -25,8 +25,8 @@ record Seeds(List<Long> all) {
 
     /** Those that are asked now. */
     List<Long> asked() {
-        int half = Math.max(FEWEST, (all.size() + 1) / 2);
-        return ARE_ALL_ASKED ? all : all.subList(0, Math.min(half, all.size()));
+        int third = Math.max(FEWEST, (all.size() + 2) / 3);
+        return ARE_ALL_ASKED ? all : all.subList(0, Math.min(third, all.size()));
     }
 
     /** All but those that are known to break the law; a disabled test must name them. */

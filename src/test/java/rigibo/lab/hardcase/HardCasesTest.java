@@ -12,8 +12,8 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * Every held case at GAME, twice, and at EXACT, and at DRAFT where that is held to the limits of a
- * game; its class derives the truth and the limits.
+ * Every held case at GAME and EXACT, and at DRAFT where that is held to the limits of a game; at
+ * the fastest of them twice, to the same bits. Its class derives the truth and the limits.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class HardCasesTest {
@@ -41,7 +41,8 @@ class HardCasesTest {
     @ParameterizedTest(name = "{0} at {1}")
     @MethodSource("heldCases")
     void keepsToTheTruth(String title, Preset preset, HardCase hardCase) {
-        boolean isComparedWithItself = preset == Preset.GAME;
+        Preset fastest = isHeld(hardCase, Preset.DRAFT) ? Preset.DRAFT : Preset.GAME;
+        boolean isComparedWithItself = preset == fastest;
         HardCase.Result result =
                 isComparedWithItself ? hardCase.run(preset) : hardCase.runOnce(preset);
         assertThat(result.worst().isReported()).as("nothing has a limit").isFalse();
