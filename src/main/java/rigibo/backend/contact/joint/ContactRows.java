@@ -123,7 +123,7 @@ final class ContactRows {
     }
 
     /** The greatest speed that a spring, motor or limit would give its bodies, m/s. */
-    private double strongestDrive() {
+    double strongestDrive() {
         double most = 0;
         for (int row = 0; row < rows.count; row++) {
             boolean isOfJoint = rows.joint[row] != NeutralRows.NONE;

@@ -98,7 +98,7 @@ final class WholeSolver {
         if (isGained && !contactRows.carry() || areStrained(fastest)) {
             places.release();
         }
-        secure(isSolved, isGained, settled);
+        secure(isSolved, isGained, settled, fastest);
         contactRows.store();
     }
 
@@ -108,7 +108,7 @@ final class WholeSolver {
         work.begin();
         allowed.begin(0);
         boolean isSolved = solveRows(carried, settled);
-        secure(isSolved, allowed.isExceeded(false, noise), settled);
+        secure(isSolved, allowed.isExceeded(false, noise), settled, fastest);
         contactRows.store();
     }
 
@@ -142,17 +142,21 @@ final class WholeSolver {
     }
 
     /**
-     * Replaces a solution that could not be found, or that does work, by passes from impulses of 0,
-     * after which equations are solved again.
+     * Replaces a solution that could not be found, or that does work, by one with targets at rest
+     * where joints press, or else by passes from impulses of 0, after which equations are solved
+     * again.
      */
-    private void secure(boolean isSolved, boolean isGained, double settled) {
+    private void secure(boolean isSolved, boolean isGained, double settled, double fastest) {
         boolean areAny = isSolved ? contactRows.carry() : contactRows.areAny();
         boolean mayDoWork = areAny || elimination.isSpent() || allowed.isAnyDriven(isSolved);
         boolean isNone = isSolved && !isGained && allowed.isNone();
         if (mayDoWork && !isNone) {
+            // Passes would not find what a spring, a motor or a limit presses with.
+            boolean isPressed =
+                    isSolved && !elimination.isSpent() && contactRows.strongestDrive() > fastest;
             work.takeBack();
             work.rest();
-            if (elimination.isSpent() || !isSolvedAtRest(settled)) {
+            if (!isPressed || !isSolvedAtRest(settled)) {
                 work.takeBack();
                 passes.run(budget.mostPasses(), settled);
                 solver.holdEquations();
