@@ -21,7 +21,6 @@ import java.util.function.LongFunction;
 class JointedLawTest {
 
     private static final int FEW = 4;
-    private static final int FEWER = 4;
 
     /** Half a second: chains that swing multiply what two runs differ by. */
     private static final int STEPS_OF_A_SWING = 30;
@@ -31,10 +30,10 @@ class JointedLawTest {
     @EnumSource(Preset.class)
     void pilesGainNoEnergy(Preset preset) {
         Laws.hold(
-                Seeds.upTo(preset == Preset.EXACT ? 8 : 300),
+                Seeds.upTo(preset == Preset.EXACT ? 14 : 300),
                 trays(preset),
                 (scene, asked) -> DressLawTest.gainsAtMost(1e-3, scene, asked),
-                new Quota(preset == Preset.EXACT ? 75 : 2250, "loaded contacts in piles"));
+                new Quota(preset == Preset.EXACT ? 300 : 2250, "loaded contacts in piles"));
     }
 
     /** A power of two changes no digit. */
@@ -45,7 +44,7 @@ class JointedLawTest {
                 seeds(preset),
                 trays(preset),
                 (scene, asked) -> SymmetryLawTest.sameToTheEnd(Symmetry.SMALL, scene, asked),
-                quota(preset, 500, "loaded contacts"));
+                new Quota(500, "loaded contacts"));
     }
 
     /** Tolerances grow with the bodies, and a power of two changes no digit. */
@@ -87,7 +86,7 @@ class JointedLawTest {
                 seeds(preset),
                 trays(preset),
                 OrderLawTest::sameAmongStrangers,
-                quota(preset, 300, "loaded contacts in piles"));
+                new Quota(300, "loaded contacts in piles"));
     }
 
     @ParameterizedTest
@@ -97,7 +96,7 @@ class JointedLawTest {
                 seeds(preset),
                 trays(preset),
                 DressLawTest::goesOnAlike,
-                quota(preset, 30, "snapshots"));
+                new Quota(10, "snapshots"));
     }
 
     @ParameterizedTest
@@ -129,7 +128,7 @@ class JointedLawTest {
                 seeds(preset),
                 seed -> edited(seed, preset),
                 EditsLawTest::roughlyEdited,
-                quota(preset, 110, "steps that took overlap back"));
+                new Quota(110, "steps that took overlap back"));
     }
 
     /** Fewer where each takes long. */
@@ -141,13 +140,8 @@ class JointedLawTest {
         return seed -> Links.on(Surroundings.tray(seed, preset.accuracy));
     }
 
-    /** A fifth of the scenes at EXACT, where each takes long, have at least a quarter. */
-    private static Quota quota(Preset preset, long least, String what) {
-        return new Quota(preset == Preset.EXACT ? least / FEWER : least, what);
-    }
-
     private static Seeds seeds(Preset preset) {
-        return Seeds.upTo(preset == Preset.EXACT ? 8 : 40);
+        return Seeds.upTo(preset == Preset.EXACT ? 14 : 40);
     }
 
     /** A tray, every other one with sleep. */
