@@ -50,6 +50,9 @@ final class ContactOrder {
     /** Number of contacts before those that have no movable body except hubs. */
     int beforeHubs;
 
+    /** Most rows of a contact: one less than kinds where none has rolling resistance. */
+    private int most;
+
     /**
      * The contacts of body {@code b}: {@code ofBodies[start[b]]} to {@code ofBodies[start[b + 1]]}.
      */
@@ -66,6 +69,7 @@ final class ContactOrder {
     void find() {
         reserve();
         listContacts();
+        most = isAnyRolling() ? FlatRows.KINDS : FlatRows.KINDS - 1;
         hubCount = 0;
         orderAll();
         double withoutHubs = work();
@@ -105,11 +109,25 @@ final class ContactOrder {
         double work = 0;
         int ofHubs = FlatRows.AXES * hubCount;
         for (int at = 0; at < contacts.count; at++) {
-            double width = FlatRows.KINDS * (at - firstNeighbour[at] + 1);
+            double width = most * (at - firstNeighbour[at] + 1);
             double ofHub = at < beforeHubs ? width * ofHubs : ofHubs * (width + ofHubs / 2.0);
-            work += FlatRows.KINDS * (width * width / 2 + ofHub);
+            work += most * (width * width / 2 + ofHub);
         }
         return work + ofHubs * ofHubs * ofHubs / 6.0;
+    }
+
+    /** How many times as much work an island of as many contacts is if some have four rows. */
+    double timesByRolling() {
+        double times = most / (FlatRows.KINDS - 1.0);
+        return times * times * times;
+    }
+
+    private boolean isAnyRolling() {
+        boolean isAny = false;
+        for (int row = 0; row < contacts.count; row++) {
+            isAny |= contacts.data[row * PackedContacts.STRIDE + PackedContacts.ROLLING] > 0;
+        }
+        return isAny;
     }
 
     private void orderAll() {

@@ -1,6 +1,7 @@
 package rigibo.backend.contact.solve;
 
 import static rigibo.backend.contact.solve.FlatRows.KINDS;
+import static rigibo.backend.contact.solve.FlatRows.ROLL;
 import static rigibo.backend.contact.solve.FlatRows.TANGENT;
 
 import rigibo.backend.contact.row.Motions;
@@ -51,8 +52,8 @@ public final class DirectSolver {
     /** By row of the set: its last change of impulse, N·s. */
     private double[] moved = new double[64];
 
-    /** By place in the order: bound of the contact's friction, N·s. */
-    private double[] cone = new double[64];
+    /** By flat row: bound of a contact's friction or rolling, N·s. */
+    private double[] bound = new double[64];
 
     /** Whether the flat rows are up to date. */
     private boolean isLaidOut;
@@ -84,6 +85,7 @@ public final class DirectSolver {
      * Prepares the packed island. Returns false if it is too large, or if factoring all of its rows
      * takes more multiplications than the budget of a substep.
      *
+     * @param worthOfSubstep budget of an island without rolling resistance, in multiplications
      * @param isNearby whether to find the impulses nearest to the present ones rather than the
      *     smallest ones. The smallest may be far away, beyond a cone or a pull, so that a heap at
      *     rest would be taken apart on the way to them. It must be false for a squeezed body, whose
@@ -96,10 +98,10 @@ public final class DirectSolver {
         if (contacts.areCrowd()) {
             return false;
         }
-        worth = worthOfSubstep;
         held.reserve();
         forget();
         order.find();
+        worth = worthOfSubstep * order.timesByRolling();
         return factor.workOfAll() <= worth;
     }
 
@@ -139,7 +141,7 @@ public final class DirectSolver {
     public void solve(double h, int substep, double settled) {
         if (!isUncoupled()) {
             read(h);
-            Arrays.fill(rows.sliding, 0, contacts.count, 0);
+            rows.followNone();
             solveRead(substep, settled);
             rows.write();
         }
@@ -220,7 +222,7 @@ public final class DirectSolver {
             set = new int[capacity];
             unknown = new double[capacity];
             moved = new double[capacity];
-            cone = new double[contacts.pair.length];
+            bound = new double[capacity];
         }
     }
 
@@ -239,11 +241,18 @@ public final class DirectSolver {
                 set[size++] = k;
             }
         }
-        cone[place] = contacts.data[row * PackedContacts.STRIDE + PackedContacts.FRICTION] * load;
-        int tangent = KINDS * place + TANGENT;
-        double most = cone[place] * rows.answer[tangent];
-        if (size > before && Math.abs(rows.answerAfterOwnChange(tangent)) < most) {
-            set[size++] = tangent;
+        if (size > before) {
+            chooseBounded(KINDS * place + TANGENT, load);
+            chooseBounded(KINDS * place + ROLL, load);
+        }
+    }
+
+    /** Adds a tangent or rolling row that would stay within its bound after its own next change. */
+    private void chooseBounded(int k, double load) {
+        double share = rows.share(k);
+        bound[k] = share * load;
+        if (share > 0 && Math.abs(rows.answerAfterOwnChange(k)) < bound[k] * rows.answer[k]) {
+            set[size++] = k;
         }
     }
 
@@ -302,10 +311,8 @@ public final class DirectSolver {
     /** The part of a change that leaves its row within its bounds. */
     private double withinBounds(int k, double change) {
         double impulse = rows.impulse[k];
-        if (k % KINDS != TANGENT) {
-            return Math.max(change, -impulse);
-        }
-        double most = cone[k / KINDS];
-        return Math.max(-most, Math.min(most, impulse + change)) - impulse;
+        return FlatRows.isPoint(k)
+                ? Math.max(change, -impulse)
+                : Math.max(-bound[k], Math.min(bound[k], impulse + change)) - impulse;
     }
 }

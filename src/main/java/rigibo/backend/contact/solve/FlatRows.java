@@ -2,17 +2,22 @@ package rigibo.backend.contact.solve;
 
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
-import rigibo.backend.contact.row.SingleRows;
+
+import java.util.Arrays;
 
 /**
  * The single rows of the packed contacts, laid out flat in the order of elimination: row {@code
- * 3·place + kind}, where kind is the point of a normal row or {@link SingleRows#TANGENT}.
+ * 4·place + kind}, where kind is the point of a normal row, {@link #TANGENT} or {@link #ROLL}.
  * Elimination reads each row many times, while {@link PackedContacts} is laid out for passes.
+ *
+ * <p>A rolling row is the difference of both spins times the contact's width, so that its speed and
+ * impulse have the units of all others.
  */
 final class FlatRows {
 
-    static final int KINDS = SingleRows.ROWS_PER_CONTACT;
-    static final int TANGENT = SingleRows.TANGENT;
+    static final int TANGENT = 2;
+    static final int ROLL = 3;
+    static final int KINDS = 4;
 
     /** Unknowns of a hub: its velocity along x and y, and its spin. */
     static final int AXES = 3;
@@ -56,8 +61,11 @@ final class FlatRows {
 
     double[] kept = new double[0];
 
-    /** By place in the order: s·μ of a contact that slides in the direction s = ±1, otherwise 0. */
-    double[] sliding = new double[0];
+    /**
+     * By row: s times its share of the load, if its impulse goes with the load in the direction s =
+     * ±1, as that of sliding friction does; otherwise 0.
+     */
+    private double[] following = new double[0];
 
     FlatRows(Motions motions, PackedContacts contacts, ContactOrder order) {
         this.motions = motions;
@@ -80,28 +88,35 @@ final class FlatRows {
             double ny = d[at + PackedContacts.NY];
             double giveOfPoint = d[at + PackedContacts.GIVE];
             int k = KINDS * place;
-            layOut(k, row, nx, ny, at + PackedContacts.LEVER_A0, giveOfPoint);
-            layOut(k + 1, row, nx, ny, at + PackedContacts.LEVER_A1, giveOfPoint);
-            double giveOfTangent = PackedContacts.COMPLIANCE / d[at + PackedContacts.MASS_T];
-            layOut(k + TANGENT, row, -ny, nx, at + PackedContacts.LEVER_TA, giveOfTangent);
-            for (int i = k; isNearby && i < k + KINDS; i++) {
+            layOut(k, row, nx, ny, at + PackedContacts.LEVER_A0);
+            give[k] = giveOfPoint;
+            layOut(k + 1, row, nx, ny, at + PackedContacts.LEVER_A1);
+            give[k + 1] = giveOfPoint;
+            layOut(k + TANGENT, row, -ny, nx, at + PackedContacts.LEVER_TA);
+            give[k + TANGENT] = PackedContacts.COMPLIANCE / d[at + PackedContacts.MASS_T];
+            boolean rolls = d[at + PackedContacts.ROLLING] > 0;
+            if (rolls) {
+                double width = d[at + PackedContacts.WIDTH];
+                layOut(k + ROLL, row, 0, 0, width, width);
+                give[k + ROLL] = PackedContacts.COMPLIANCE * answer[k + ROLL];
+            }
+            for (int i = k; isNearby && i <= k + (rolls ? ROLL : TANGENT); i++) {
                 give[i] += PROXIMAL * answer[i];
             }
         }
     }
 
-    private void layOut(int k, int row, double x, double y, int levers, double givesWay) {
-        int a = contacts.bodyA[row];
-        int b = contacts.bodyB[row];
-        double la = contacts.data[levers];
-        double lb = contacts.data[levers + 1];
-        bodyA[k] = a;
-        bodyB[k] = b;
+    private void layOut(int k, int row, double x, double y, int levers) {
+        layOut(k, row, x, y, contacts.data[levers], contacts.data[levers + 1]);
+    }
+
+    private void layOut(int k, int row, double x, double y, double ofA, double ofB) {
+        bodyA[k] = contacts.bodyA[row];
+        bodyB[k] = contacts.bodyB[row];
         directionX[k] = x;
         directionY[k] = y;
-        leverA[k] = la;
-        leverB[k] = lb;
-        give[k] = givesWay;
+        leverA[k] = ofA;
+        leverB[k] = ofB;
         answer[k] = response(k, k, true);
     }
 
@@ -119,7 +134,7 @@ final class FlatRows {
             target = new double[capacity];
             impulse = new double[capacity];
             kept = new double[capacity];
-            sliding = new double[contacts.pair.length];
+            following = new double[capacity];
         }
     }
 
@@ -138,6 +153,10 @@ final class FlatRows {
             }
             target[k + TANGENT] = contacts.surface[row];
             impulse[k + TANGENT] = d[at + PackedContacts.IMPULSE_T];
+            impulse[k + ROLL] =
+                    d[at + PackedContacts.ROLLING] > 0
+                            ? d[at + PackedContacts.IMPULSE_R] / d[at + PackedContacts.WIDTH]
+                            : 0;
         }
     }
 
@@ -152,7 +171,27 @@ final class FlatRows {
                 d[at + PackedContacts.IMPULSE0 + point] = impulse[k + point];
             }
             d[at + PackedContacts.IMPULSE_T] = impulse[k + TANGENT];
+            if (d[at + PackedContacts.ROLLING] > 0) {
+                d[at + PackedContacts.IMPULSE_R] = impulse[k + ROLL] * d[at + PackedContacts.WIDTH];
+            }
         }
+    }
+
+    /** Whether a row is that of a point, whose impulse is a part of the load. */
+    static boolean isPoint(int k) {
+        return k % KINDS < TANGENT;
+    }
+
+    /**
+     * Share of a contact's load that bounds a tangent or rolling row: μ, or the rolling lever as a
+     * share of the width.
+     */
+    double share(int k) {
+        int at = order.order[k / KINDS] * PackedContacts.STRIDE;
+        return k % KINDS == TANGENT
+                ? contacts.data[at + PackedContacts.FRICTION]
+                : contacts.data[at + PackedContacts.ROLLING]
+                        / contacts.data[at + PackedContacts.WIDTH];
     }
 
     /** Residual of a row: its speed minus the one it aims at, m/s. */
@@ -221,19 +260,50 @@ final class FlatRows {
         m[b + column + 2] += m[b + Motions.INVERSE_INERTIA] * leverB[k] * change;
     }
 
-    /** Friction that comes with a unit impulse of a row, s·μ; 0 without sliding. */
-    double slides(int k) {
-        return k % KINDS == TANGENT ? 0 : sliding[k / KINDS];
+    /** Lets no row go with the load of its contact. */
+    void followNone() {
+        Arrays.fill(following, 0, KINDS * contacts.count, 0);
+    }
+
+    /** Lets a tangent or rolling row go with the load, by a share of it. */
+    void follow(int k, double share) {
+        following[k] = share;
+    }
+
+    /** The impulse of a kind that comes with a unit impulse of a point; 0 if it does not. */
+    double following(int point, int kind) {
+        return isPoint(point) ? following[of(point, kind)] : 0;
+    }
+
+    /** Changes a point's impulse by an amount in N·s, with what goes with it. */
+    void pushWithFollowing(int point, double change) {
+        push(point, change);
+        for (int kind = TANGENT; kind < KINDS; kind++) {
+            double follows = following(point, kind);
+            if (follows != 0) {
+                push(of(point, kind), follows * change);
+            }
+        }
+    }
+
+    /** The row of a kind of the same contact. */
+    private static int of(int k, int kind) {
+        return k - k % KINDS + kind;
     }
 
     /**
-     * Speed that a unit impulse of one row, with its friction, gives another through bodies that
-     * are not hubs, 1/kg.
+     * Speed that a unit impulse of one row, with what goes with it, gives another through bodies
+     * that are not hubs, 1/kg.
      */
     double answerTo(int i, int j) {
-        double slides = slides(j);
-        double direct = response(i, j, false);
-        return slides == 0 ? direct : direct + slides * response(i, j - j % KINDS + TANGENT, false);
+        double answer = response(i, j, false);
+        for (int kind = TANGENT; kind < KINDS; kind++) {
+            double follows = following(j, kind);
+            if (follows != 0) {
+                answer += follows * response(i, of(j, kind), false);
+            }
+        }
+        return answer;
     }
 
     /**
@@ -252,11 +322,16 @@ final class FlatRows {
         return sum == 0 ? 0 : sum * Math.sqrt(motions.data[hub + column]);
     }
 
-    /** The impulse that a unit impulse of a row, with its friction, brings to a hub, 1/√kg. */
+    /** The impulse that a unit impulse of a row, with what goes with it, brings to a hub, 1/√kg. */
     double toHub(int k, int hub, int axis) {
-        double slides = slides(k);
-        double direct = ofHub(k, hub, axis);
-        return slides == 0 ? direct : direct + slides * ofHub(k - k % KINDS + TANGENT, hub, axis);
+        double brings = ofHub(k, hub, axis);
+        for (int kind = TANGENT; kind < KINDS; kind++) {
+            double follows = following(k, kind);
+            if (follows != 0) {
+                brings += follows * ofHub(of(k, kind), hub, axis);
+            }
+        }
+        return brings;
     }
 
     /** Speed that a unit impulse of one row gives another, through hubs or not, 1/kg. */

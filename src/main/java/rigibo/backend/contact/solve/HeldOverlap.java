@@ -1,14 +1,13 @@
 package rigibo.backend.contact.solve;
 
 import static rigibo.backend.contact.solve.FlatRows.KINDS;
+import static rigibo.backend.contact.solve.FlatRows.ROLL;
 import static rigibo.backend.contact.solve.FlatRows.TANGENT;
 
 import rigibo.backend.contact.row.Displacement;
 import rigibo.backend.contact.row.Motions;
 import rigibo.backend.contact.row.PackedContacts;
 import rigibo.backend.storage.KeptOverlap;
-
-import java.util.Arrays;
 
 /**
  * Removes the overlap of a small island by one elimination. Rows that carry or overlap, and those
@@ -81,7 +80,7 @@ final class HeldOverlap {
      */
     void correct(double h, int substep, double gained) {
         fading = FADES * gained;
-        Arrays.fill(rows.sliding, 0, contacts.count, 0);
+        rows.followNone();
         size = 0;
         double widest = 0;
         for (int place = 0; place < contacts.count; place++) {
@@ -132,13 +131,19 @@ final class HeldOverlap {
             isAnyWanted |= wanted > 0;
             load += rows.impulse[k];
         }
-        int tangent = KINDS * place + TANGENT;
-        double cone = contacts.data[row * PackedContacts.STRIDE + PackedContacts.FRICTION] * load;
-        double spare = cone * rows.answer[tangent] - Math.abs(speed(tangent));
         if (size > before) {
-            choose(tangent, spare, 0);
+            chooseBounded(KINDS * place + TANGENT, load);
+            chooseBounded(KINDS * place + ROLL, load);
         }
         return isAnyWanted;
+    }
+
+    /** Chooses a tangent or rolling row by how far it is from its bound. */
+    private void chooseBounded(int k, double load) {
+        double share = rows.share(k);
+        if (share > 0) {
+            choose(k, share * load * rows.answer[k] - Math.abs(speed(k)), 0);
+        }
     }
 
     /** Speed that a row's impulse gives its own bodies, m/s. */

@@ -1,6 +1,7 @@
 package rigibo.backend.contact.solve;
 
 import static rigibo.backend.contact.solve.FlatRows.KINDS;
+import static rigibo.backend.contact.solve.FlatRows.ROLL;
 import static rigibo.backend.contact.solve.FlatRows.TANGENT;
 
 import rigibo.backend.contact.row.Motions;
@@ -10,10 +11,10 @@ import rigibo.backend.contact.row.PackedContacts;
  * Solves a small island by Newton's method on Coulomb's law (P. Alart and A. Curnier, A mixed
  * formulation for frictional contact problems prone to Newton like solution methods, 1991). The
  * present impulse and speed of each row choose its equation: a point carries or is open, a contact
- * sticks or slides, and the friction of a sliding one is s·μ times the load being solved for. All
- * equations are solved at once and chosen again until the choice no longer changes. Near the
- * solution that takes one or two systems; far from it the method may diverge, which the passes
- * between rounds detect.
+ * sticks or slides, and the friction of a sliding one is s·μ times the load being solved for; so
+ * for its rolling. All equations are solved at once and chosen again until the choice no longer
+ * changes. Near the solution that takes one or two systems; far from it the method may diverge,
+ * which the passes between rounds detect.
  */
 final class NewtonSolver {
 
@@ -101,8 +102,8 @@ final class NewtonSolver {
 
     private void choose(int substep) {
         size = 0;
+        rows.followNone();
         for (int place = 0; place < contacts.count; place++) {
-            rows.sliding[place] = 0;
             if (contacts.firstSubstep[order.order[place]] <= substep) {
                 choose(place, order.order[place]);
             }
@@ -122,29 +123,31 @@ final class NewtonSolver {
                 rows.set(k, 0);
             }
         }
-        double friction = contacts.data[row * PackedContacts.STRIDE + PackedContacts.FRICTION];
-        int tangent = normal + TANGENT;
-        if (size == before || friction == 0) {
-            rows.set(tangent, 0);
-        } else if (Math.abs(rows.wanted(tangent)) < friction * load) {
-            set[size++] = tangent;
+        boolean isLoaded = size > before;
+        chooseBounded(normal + TANGENT, isLoaded, load);
+        chooseBounded(normal + ROLL, isLoaded, load);
+    }
+
+    /** Chooses whether a tangent or rolling row holds, or goes with the load that bounds it. */
+    private void chooseBounded(int k, boolean isLoaded, double load) {
+        double share = isLoaded ? rows.share(k) : 0;
+        if (share == 0) {
+            rows.set(k, 0);
+        } else if (Math.abs(rows.wanted(k)) < share * load) {
+            set[size++] = k;
         } else {
-            rows.sliding[place] = Math.copySign(friction, rows.wanted(tangent));
-            rows.set(tangent, rows.sliding[place] * load);
+            double follows = Math.copySign(share, rows.wanted(k));
+            rows.follow(k, follows);
+            rows.set(k, follows * load);
         }
     }
 
-    /** Applies a change up to where a point would pull, with the friction that belongs to it. */
+    /** Applies a change up to where a point would pull, with what goes with its load. */
     private void take(int k, double change) {
-        if (k % KINDS == TANGENT) {
+        if (FlatRows.isPoint(k)) {
+            rows.pushWithFollowing(k, Math.max(change, -rows.impulse[k]));
+        } else {
             rows.push(k, change);
-            return;
-        }
-        double taken = Math.max(change, -rows.impulse[k]);
-        rows.push(k, taken);
-        double slides = rows.slides(k);
-        if (slides != 0) {
-            rows.push(k - k % KINDS + TANGENT, slides * taken);
         }
     }
 }

@@ -101,16 +101,19 @@ public final class RollingSolver implements Rubbing {
         double mostRoll = d[at + PackedContacts.ROLLING] * load;
         double ia = motions.data[contacts.bodyA[row] + INVERSE_INERTIA];
         double ib = motions.data[contacts.bodyB[row] + INVERSE_INERTIA];
-        double slides = mostSlide > 0 ? 1 / d[at + PackedContacts.MASS_T] : 0;
+        double stiff = 1 + PackedContacts.COMPLIANCE;
+        double slides = mostSlide > 0 ? stiff / d[at + PackedContacts.MASS_T] : 0;
+        double turns = stiff * (ia + ib);
         double both = d[at + PackedContacts.LEVER_TB] * ib + d[at + PackedContacts.LEVER_TA] * ia;
-        double determinant = slides * (ia + ib) - both * both;
+        double determinant = slides * turns - both * both;
         if (determinant > 0) {
-            double vt = friction.slidingSpeed(row);
-            double wr = turning(row);
-            double tangent =
-                    d[at + PackedContacts.IMPULSE_T] + (both * wr - (ia + ib) * vt) / determinant;
-            double roll =
-                    d[at + PackedContacts.IMPULSE_R] + (both * vt - slides * wr) / determinant;
+            double oldT = d[at + PackedContacts.IMPULSE_T];
+            double oldR = d[at + PackedContacts.IMPULSE_R];
+            double gives = PackedContacts.COMPLIANCE;
+            double vt = friction.slidingSpeed(row) + gives * oldT / d[at + PackedContacts.MASS_T];
+            double wr = turning(row) + gives * (ia + ib) * oldR;
+            double tangent = oldT + (both * wr - turns * vt) / determinant;
+            double roll = oldR + (both * vt - slides * wr) / determinant;
             if (Math.abs(tangent) <= mostSlide && Math.abs(roll) <= mostRoll) {
                 friction.keepTangent(row, tangent);
                 keepRoll(row, roll);
@@ -130,7 +133,8 @@ public final class RollingSolver implements Rubbing {
                 d[at + PackedContacts.ROLLING]
                         * (d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
         double wanted =
-                d[at + PackedContacts.IMPULSE_R] - d[at + PackedContacts.INERTIA_R] * turning(row);
+                (d[at + PackedContacts.IMPULSE_R] - d[at + PackedContacts.INERTIA_R] * turning(row))
+                        / (1 + PackedContacts.COMPLIANCE);
         keepRoll(row, FrictionSolver.clamp(wanted, most));
     }
 

@@ -8,9 +8,9 @@ import java.util.Arrays;
 
 /**
  * The matrix K = J·M⁻¹·Jᵀ of a set of single rows, with their compliances on its diagonal, factored
- * as L·U within its envelope, which in a stack is a band of six rows. If contacts slide, their
- * loads cause friction too, and K + s·μ·J·M⁻¹·Tᵀ is not symmetric. If none slides, U = D·Lᵀ takes
- * half the work.
+ * as L·U within its envelope, which in a stack is a band of six rows. If contacts slide or roll on,
+ * their loads cause friction too, and K + s·μ·J·M⁻¹·Tᵀ is not symmetric. If none does, U = D·Lᵀ
+ * takes half the work.
  *
  * <p>The velocity V of a hub is unknown, too: K then counts the other bodies alone, its rows read
  * K·Δj + H·V = −w, and what they bring to the hub is its momentum, Hᵀ·Δj − V = 0, where V and the
@@ -36,8 +36,10 @@ final class RowFactor {
     /** The factored set, in the order of contacts. */
     private int[] factored = new int[0];
 
-    /** By row of the factored set: s·μ of a sliding contact's normal, otherwise 0. */
+    /** By row of the factored set: the friction and rolling that go with a load, otherwise 0. */
     private double[] sliding = new double[0];
+
+    private double[] rolling = new double[0];
 
     private boolean isSymmetric = true;
 
@@ -99,6 +101,7 @@ final class RowFactor {
             int capacity = FlatRows.KINDS * contacts.pair.length;
             factored = Arrays.copyOf(factored, capacity);
             sliding = Arrays.copyOf(sliding, capacity);
+            rolling = Arrays.copyOf(rolling, capacity);
             factor.reserve(capacity + MOST_OF_HUBS);
             withHubs = new double[capacity + MOST_OF_HUBS];
             firstInSet = new int[contacts.pair.length + 1];
@@ -127,8 +130,9 @@ final class RowFactor {
         isSymmetric = true;
         for (int i = 0; i < count; i++) {
             factored[i] = set[i];
-            sliding[i] = rows.slides(set[i]);
-            isSymmetric &= sliding[i] == 0;
+            sliding[i] = rows.following(set[i], FlatRows.TANGENT);
+            rolling[i] = rows.following(set[i], FlatRows.ROLL);
+            isSymmetric &= sliding[i] == 0 && rolling[i] == 0;
         }
         size = count;
         int before = beforeHubs;
@@ -159,7 +163,9 @@ final class RowFactor {
     }
 
     private boolean isFactored(int i, int k) {
-        return factored[i] == k && sliding[i] == rows.slides(k);
+        return factored[i] == k
+                && sliding[i] == rows.following(k, FlatRows.TANGENT)
+                && rolling[i] == rows.following(k, FlatRows.ROLL);
     }
 
     /** Finds by place in the order where its rows begin in the set. */

@@ -88,6 +88,40 @@ class NewtonSolverTest {
         assertThat(count > 1 ? speedX(1) : 0).isCloseTo(0, within(GIVEN_WAY));
     }
 
+    /**
+     * The uppermost of n bodies, with moments of inertia of 1 kg·m², turns: its contact brakes it
+     * by the lever times its load of 1 kg·m/s. The ones below hold, for they carry 2 … n.
+     */
+    @ParameterizedTest
+    @CsvSource({"1, 0.3, 2", "2, 0.3, 2", "5, 0.2, -3", "7, 0.5, 1"})
+    void whatRollsIsBrakedByTheLoadThatIsFound(int count, double lever, double spin) {
+        column(count, 0);
+        for (int row = 0; row < count; row++) {
+            contacts.points[row] = 1;
+            island.set(row, PackedContacts.LEVER_A0, 0);
+            island.set(row, PackedContacts.LEVER_B0, 0);
+            island.set(row, PackedContacts.ROLLING, lever);
+            island.set(row, PackedContacts.WIDTH, 0.7);
+            island.motions.data[(row + 1) * Motions.STRIDE + Motions.INVERSE_INERTIA] = 1;
+        }
+        island.motions.data[count * Motions.STRIDE + Motions.SPIN] = spin;
+        order.find();
+        assertThat(solve()).isTrue();
+        double rolls = -Math.signum(spin) * lever;
+        for (int row = 0; row < count; row++) {
+            assertThat(island.of(row, PackedContacts.IMPULSE0))
+                    .isCloseTo(count - row, within(GIVEN_WAY * count));
+            assertThat(island.of(row, PackedContacts.IMPULSE_R))
+                    .isCloseTo(rolls, within(GIVEN_WAY));
+        }
+        assertThat(spin(count)).isCloseTo(spin + rolls, within(GIVEN_WAY));
+        assertThat(count > 1 ? spin(1) : 0).isCloseTo(0, within(GIVEN_WAY));
+    }
+
+    private double spin(int body) {
+        return island.motions.data[body * Motions.STRIDE + Motions.SPIN];
+    }
+
     /** Friction stops the boxes if it can, and a box over a gap falls on through it. */
     @Test
     void whatFrictionCanHoldIsHeldAndGapsStayOpen() {
