@@ -15,6 +15,7 @@ import rigibo.backend.effect.Rotation;
 import rigibo.backend.effect.Sleep;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,7 +23,7 @@ import java.util.Set;
 
 /**
  * Of any two bodies the steps tell BEGIN, PERSIST in every further step, END, and so on, whatever
- * is edited in between, and of nobody any more once all are gone.
+ * is edited in between, and of nobody any more once all are gone. No push goes untold.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class ContactStreamLawTest {
@@ -35,6 +36,9 @@ class ContactStreamLawTest {
     private static final int CONTACTS_GO = 97;
 
     private static final int STEPS_WITHOUT = 2;
+
+    /** m/s: well above the round-off of passes at speeds of some 10 m/s. */
+    private static final double PUSHED = 1e-9;
 
     /** Rounding of a normal's length, squared. */
     private static final double ROUNDING = 1e-12;
@@ -52,6 +56,43 @@ class ContactStreamLawTest {
                 },
                 ContactStreamLawTest::streams,
                 new Quota(contacts, "contacts begun"));
+    }
+
+    /** In space nothing else changes a velocity, so whoever got another one is in a contact. */
+    @ParameterizedTest
+    @CsvSource({"DRAFT, 300, 3500", "GAME, 300, 3500", "EXACT, 100, 1300"})
+    void whoeverIsPushedIsTold(Preset preset, int scenes, long pushes) {
+        Laws.hold(
+                Seeds.upTo(scenes),
+                seed -> Surroundings.meeting(seed, preset.accuracy),
+                ContactStreamLawTest::tellsOfPushes,
+                new Quota(pushes, "bodies pushed"));
+    }
+
+    private static Optional<String> tellsOfPushes(RandomScene scene, Asked asked) {
+        Pool pool = scene.pool();
+        for (int step = 1; step <= scene.steps(); step++) {
+            Map<RigidBody, State> before = new HashMap<>();
+            pool.bodies().forEach(body -> before.put(body, State.of(body)));
+            pool.step(RandomScene.DT);
+            Set<RigidBody> told = new HashSet<>();
+            for (ContactEvent event : pool.contactEvents()) {
+                if (event.phase() != Phase.END && event.impulse() > 0) {
+                    told.addAll(List.of(event.a(), event.b()));
+                }
+            }
+            for (RigidBody body : pool.bodies()) {
+                State was = before.get(body);
+                double changeX = body.velocityX() - was.velocityX();
+                double changeY = body.velocityY() - was.velocityY();
+                boolean isPushed = Math.hypot(changeX, changeY) > PUSHED;
+                asked.more(isPushed ? 1 : 0);
+                if (isPushed && !told.contains(body)) {
+                    return Optional.of("step " + step + " pushed, and did not tell of " + body);
+                }
+            }
+        }
+        return Optional.empty();
     }
 
     private static Optional<String> streams(RandomScene scene, Asked asked) {

@@ -5,7 +5,7 @@ import java.util.stream.LongStream;
 
 /**
  * The seeds that a law is asked for: all of them for the table of docs/laws.md, otherwise the first
- * half, but twenty at least, so that tests do not take too long.
+ * third, but twenty at least, so that tests do not take too long.
  *
  * @param all in the order they are asked
  */

@@ -94,8 +94,13 @@ public final class IslandResults {
         pairs.normalForce[2 * pair + 1 - first] = d[at + PackedContacts.IMPULSE1] * perSecond;
         remember(2 * pair, share);
         remember(2 * pair + 1, share);
+        double carried = d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1];
         pairs.tellImpulse(pair, d[at + PackedContacts.TOTAL]);
-        noteTouch(pair, d[at + PackedContacts.IMPULSE0] + d[at + PackedContacts.IMPULSE1]);
+        noteTouch(pair, carried);
+        if (d[at + PackedContacts.TOTAL] > 0 && !(carried > 0)) {
+            // They pushed each other and parted again, which is an impact for those who listen.
+            pairs.impacts[pair]++;
+        }
     }
 
     /** Whether a row that stands for two points is that of the second one, the deeper of them. */
