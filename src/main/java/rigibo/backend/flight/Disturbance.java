@@ -123,7 +123,7 @@ final class Disturbance {
     /**
      * Records the reach that the bodies of a contact in a pile get by bouncing in {@code left} s.
      */
-    void noteBouncers(int pair, double left) {
+    private void noteBouncers(int pair, double left) {
         int a = pairs.bodyA[pair];
         int b = pairs.bodyB[pair];
         if (!paths.isFlyer(a) && !paths.isFlyer(b)) {
@@ -214,11 +214,15 @@ final class Disturbance {
     }
 
     /**
-     * Records the reaches by the impacts of a flyer that just joined. A fast flyer that joins
-     * because of a slow neighbour still strikes it, and sends it farther than it would go by
-     * itself.
+     * Records the reaches by the impacts of a flyer that just joined, if it did, in the {@code
+     * left} seconds of the step. A fast flyer that joins because of a slow neighbour still strikes
+     * it, and sends it farther than it would go by itself; one whose bounces on a floor end may
+     * strike what lies there.
      */
-    private void noteBouncersOf(int joined, double left) {
+    void noteBouncersOf(int joined, double left) {
+        if (!bodies.isDynamic(joined) || paths.isFlyer(joined)) {
+            return;
+        }
         for (int p = bodies.firstPair[joined]; p != Pairs.NONE; p = pairs.nextOf(p, joined)) {
             if (pairs.points[p] > 0) {
                 noteBouncers(p, left);

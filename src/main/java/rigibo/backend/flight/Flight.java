@@ -293,7 +293,8 @@ public final class Flight {
         for (int i = 0; i < left; i++) {
             repredict(pairs.bodyA[tied[i]], time, dt);
             repredict(pairs.bodyB[tied[i]], time, dt);
-            disturbance.noteBouncers(tied[i], dt - time);
+            disturbance.noteBouncersOf(pairs.bodyA[tied[i]], dt - time);
+            disturbance.noteBouncersOf(pairs.bodyB[tied[i]], dt - time);
         }
         disturbance.spread(time, dt);
     }

@@ -6,10 +6,15 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import rigibo.backend.Pool;
+import rigibo.backend.RigidBody;
+import rigibo.backend.effect.Effects;
 import rigibo.backend.geometry.Circle;
 import rigibo.backend.geometry.Polygon;
+import rigibo.backend.law.Preset;
 import rigibo.backend.setup.Accuracy;
 import rigibo.backend.setup.BodyDefinition;
 import rigibo.backend.setup.Material;
@@ -21,6 +26,7 @@ import rigibo.backend.setup.Material;
 class JoiningTest {
 
     private static final double PLACE = 2e-8;
+    private static final double DT = 1.0 / 60;
 
     private final Air air = new Air(Accuracy.EXACT);
 
@@ -110,6 +116,41 @@ class JoiningTest {
         air.fly(0.5);
 
         requireJoined(false, along, 0);
+    }
+
+    /**
+     * A ball that rolls on a floor strikes a crate 6 mm ahead and comes back at once, while a disc
+     * falls behind it. The ball's bounces on the floor end first, which is how it joins the pile.
+     */
+    @ParameterizedTest
+    @EnumSource(Preset.class)
+    void whatLandedBesideWhatItStrikesDisturbsToo(Preset preset) {
+        Pool pool = new Pool(Effects.usual(), preset.accuracy);
+        Material elastic = new Material(1, 0.2, 0.8);
+        pool.add(BodyDefinition.fixed(Polygon.box(20, 1)).at(0, -0.5).material(elastic));
+        pool.add(
+                BodyDefinition.dynamic(Polygon.box(1, 1))
+                        .at(-0.506, 0.5)
+                        .material(new Material(10, 0.2, 0.8)));
+        pool.step(DT);
+        pool.add(
+                BodyDefinition.dynamic(new Circle(0.157))
+                        .at(0.157, 0.157)
+                        .velocity(-1.4, -2e-3)
+                        .spin(1.4 / 0.157)
+                        .material(elastic));
+        RigidBody falls =
+                pool.add(
+                        BodyDefinition.dynamic(new Circle(0.223))
+                                .at(0.157 + 0.351, 0.157 + 0.157)
+                                .velocity(-0.4, -1.9)
+                                .material(new Material(5, 0.2, 0.8)));
+        double deepest = 0;
+        for (int i = 0; i < 3; i++) {
+            deepest = Math.max(deepest, pool.step(DT).deepestOverlap());
+        }
+        double ofASubstep = 2 * DT / preset.accuracy.substeps();
+        assertThat(deepest / falls.shape().smallestWidth()).isLessThan(ofASubstep);
     }
 
     /** A body reached over 0.3 m hands on the remaining 0.7 m to what touches it. */
