@@ -3,6 +3,8 @@ package rigibo.backend;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 import java.io.IOException;
 import java.util.ArrayList;
@@ -13,6 +15,7 @@ import java.util.List;
  * optimizing compiler would hide objects that it can keep on the stack; it also allocates text
  * constants on the thread that is running when a method is first compiled.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class AllocationTest {
 
     /**

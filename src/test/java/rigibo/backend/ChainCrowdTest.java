@@ -2,6 +2,8 @@ package rigibo.backend;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -18,6 +20,7 @@ import rigibo.backend.setup.Material;
 import java.util.SplittableRandom;
 
 /** Heaps that fall on chains, whose bodies are struck while they move over its edges. */
+@Execution(ExecutionMode.CONCURRENT)
 class ChainCrowdTest {
 
     private static final double DT = 1 / 60.0;

@@ -10,21 +10,21 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /** Java processes of their own: a fresh heap, other compilers. */
-final class ChildJvm {
+public final class ChildJvm {
 
     private static final int SECONDS = 120;
 
     private ChildJvm() {}
 
     /** The Java that runs the tests. */
-    static Path own() {
+    public static Path own() {
         return Path.of(System.getProperty("java.home"));
     }
 
     /**
      * Runs a main class to its end with the class path of the tests, and returns what it prints.
      */
-    static String output(Path home, List<String> options, Class<?> main, String... arguments)
+    public static String output(Path home, List<String> options, Class<?> main, String... arguments)
             throws IOException, InterruptedException {
         List<String> command = new ArrayList<>();
         command.add(home.resolve("bin/java").toString());

@@ -3,6 +3,8 @@ package rigibo.backend;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -10,6 +12,7 @@ import rigibo.backend.geometry.Circle;
 import rigibo.backend.setup.BodyDefinition;
 
 /** The same calls give the same bits. */
+@Execution(ExecutionMode.CONCURRENT)
 class DeterminismTest {
 
     private static final int STEPS = 300;

@@ -2,6 +2,8 @@ package rigibo.backend;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -16,6 +18,7 @@ import java.util.SplittableRandom;
 import java.util.function.BiConsumer;
 
 /** What drives, strikes or turns joints fast leaves them closed and gives them no energy. */
+@Execution(ExecutionMode.CONCURRENT)
 class FastJointsTest {
 
     /** Limit of J1 at GAME for a joint's error, m. */

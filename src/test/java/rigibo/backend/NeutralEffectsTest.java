@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -38,6 +40,7 @@ import rigibo.backend.storage.Bodies;
 import java.util.stream.Stream;
 
 /** An effect that does nothing leaves every bit as if it were not declared. */
+@Execution(ExecutionMode.CONCURRENT)
 class NeutralEffectsTest {
 
     private static final int STEPS = 600;

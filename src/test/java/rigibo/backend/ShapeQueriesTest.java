@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -35,6 +37,7 @@ import java.util.SplittableRandom;
  * Casts, overlaps and nearest points against the list of all bodies, one by one: of 10⁵ bodies of
  * every kind and filter, the pools with contacts and those without together.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ShapeQueriesTest {
 
     private static final int POOLS = 34;

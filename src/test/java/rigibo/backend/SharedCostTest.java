@@ -3,6 +3,8 @@ package rigibo.backend;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -15,6 +17,7 @@ import java.util.List;
  * Sharing costs nothing in a pool that is not shared; in one that is, it changes no bit and makes
  * no garbage.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class SharedCostTest {
 
     /** Columns of pairs double when more meet than ever before, which is over by then. */

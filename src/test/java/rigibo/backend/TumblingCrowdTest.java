@@ -2,6 +2,8 @@ package rigibo.backend;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -21,6 +23,7 @@ import rigibo.lab.engine.World;
 import java.util.Random;
 
 /** Hundreds of bodies that strike each other while they fall, and turn at once. */
+@Execution(ExecutionMode.CONCURRENT)
 class TumblingCrowdTest {
 
     private static final int BODIES = 400;

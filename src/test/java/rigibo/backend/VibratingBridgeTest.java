@@ -2,6 +2,8 @@ package rigibo.backend;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -23,6 +25,7 @@ import java.util.List;
  * A heavy disc rolls along a bridge of planks and makes it tremble, so that it flies above them for
  * a step or two again and again, while they swing up to it.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class VibratingBridgeTest {
 
     private static final int PLANKS = 24;

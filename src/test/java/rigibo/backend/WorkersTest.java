@@ -8,6 +8,8 @@ import com.sun.management.ThreadMXBean;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -29,6 +31,7 @@ import java.util.SplittableRandom;
 
 /** Any number of workers makes the same bits, the same events in the same order, and no garbage. */
 @Timeout(120)
+@Execution(ExecutionMode.CONCURRENT)
 class WorkersTest {
 
     private static final double DT = 1.0 / 60;

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -12,6 +14,7 @@ import java.nio.file.Path;
  * The engine, compiled for a browser, gives the bits of the JVM. Where there is no browser, or what
  * compiles it was never fetched, nothing is tested, and the test says so.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class BitsInBrowserTest {
 
     @TempDir private Path folder;

@@ -3,6 +3,8 @@ package rigibo.frontend.demo;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -21,6 +23,7 @@ import rigibo.frontend.scene.widget.Slider;
 import java.util.function.Function;
 
 /** A ghost goes along with a demo, whatever is done to that, and changes nothing in it. */
+@Execution(ExecutionMode.CONCURRENT)
 class GhostInDemosTest {
 
     private static final double STEP = 1.0 / 60;

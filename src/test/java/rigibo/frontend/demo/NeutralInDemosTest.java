@@ -2,6 +2,8 @@ package rigibo.frontend.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -25,6 +27,7 @@ import java.util.function.Function;
 /**
  * An effect that no demo calls for changes nothing in any of them while its parameters are neutral.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class NeutralInDemosTest {
 
     private static final double STEP = 1.0 / 60;

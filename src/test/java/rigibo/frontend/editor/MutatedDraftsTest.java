@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -21,6 +23,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /** A draft that was left unsaved and then damaged ended the editor as soon as it was taken up. */
+@Execution(ExecutionMode.CONCURRENT)
 class MutatedDraftsTest {
 
     private static final String BOX = "{\"type\": \"box\", \"w\": 0.5, \"h\": 4}";

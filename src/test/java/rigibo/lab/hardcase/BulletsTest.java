@@ -2,10 +2,13 @@ package rigibo.lab.hardcase;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Heavy bullets pass through nothing; at EXACT some boxes enter the floor, as their row tells. */
+@Execution(ExecutionMode.CONCURRENT)
 class BulletsTest {
 
     @ParameterizedTest

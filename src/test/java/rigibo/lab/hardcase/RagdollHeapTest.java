@@ -3,6 +3,8 @@ package rigibo.lab.hardcase;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 import rigibo.backend.Pool;
 import rigibo.backend.RigidBody;
@@ -14,6 +16,7 @@ import rigibo.lab.engine.Link;
 import java.util.List;
 
 /** Ragdolls fall on each other without lying in each other. */
+@Execution(ExecutionMode.CONCURRENT)
 class RagdollHeapTest {
 
     /**

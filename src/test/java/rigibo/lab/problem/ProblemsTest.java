@@ -3,6 +3,8 @@ package rigibo.lab.problem;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -15,6 +17,7 @@ import java.util.List;
 import java.util.Set;
 
 /** Properties of every reference problem. */
+@Execution(ExecutionMode.CONCURRENT)
 class ProblemsTest {
 
     private static final Engine ENGINE = new RigiBoEngine();

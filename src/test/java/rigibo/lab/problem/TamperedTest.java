@@ -2,6 +2,8 @@ package rigibo.lab.problem;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -9,6 +11,7 @@ import rigibo.lab.engine.Engine;
 import rigibo.lab.engine.Setting;
 
 /** A run in which something is wrong does not pass for a right one. */
+@Execution(ExecutionMode.CONCURRENT)
 class TamperedTest {
 
     /** The least is some error in proportion to one in a hundred; R7 squares its. */

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -27,6 +29,7 @@ import java.util.concurrent.CancellationException;
 import java.util.stream.LongStream;
 
 /** Levels of a few seeds, made once for all tests here. */
+@Execution(ExecutionMode.CONCURRENT)
 class GeneratorTest {
 
     private static final long FIRST = 21;
