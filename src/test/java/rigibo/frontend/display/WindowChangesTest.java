@@ -79,6 +79,8 @@ class WindowChangesTest {
                         ChildJvm.own(),
                         List.of("-ea", "-XX:+UseSerialGC"),
                         WindowChangesTest.class);
-        assertThat(Double.parseDouble(printed)).isLessThan(MOST_GROWTH);
+        // Graphics drivers may print warnings before.
+        String last = printed.substring(printed.lastIndexOf('\n') + 1);
+        assertThat(Double.parseDouble(last)).isLessThan(MOST_GROWTH);
     }
 }
