@@ -291,12 +291,33 @@ public final class Flight {
         }
         impacts.strike(tied, left, first, time, dt);
         for (int i = 0; i < left; i++) {
+            landBeforeNext(pairs.bodyA[tied[i]], time);
+            landBeforeNext(pairs.bodyB[tied[i]], time);
+        }
+        for (int i = 0; i < left; i++) {
             repredict(pairs.bodyA[tied[i]], time, dt);
             repredict(pairs.bodyB[tied[i]], time, dt);
             disturbance.noteBouncersOf(pairs.bodyA[tied[i]], dt - time);
             disturbance.noteBouncersOf(pairs.bodyB[tied[i]], dt - time);
         }
         disturbance.spread(time, dt);
+    }
+
+    /**
+     * Lets a disc that was to go on to the end of its invisible bounces join its pile at once, if
+     * it would meet something else before.
+     */
+    private void landBeforeNext(int slot, double time) {
+        if (!hitsPile(slot)) {
+            return;
+        }
+        double lands = bodies.pileTimeOf(slot);
+        for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
+            if (queue.timeOf(p) < lands) {
+                paths.landEarlier(slot, time);
+                return;
+            }
+        }
     }
 
     private boolean joinsPile(int pair, double time, double dt) {
