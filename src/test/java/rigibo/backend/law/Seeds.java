@@ -5,13 +5,13 @@ import java.util.stream.LongStream;
 
 /**
  * The seeds that a law is asked for: all of them for the table of docs/laws.md, otherwise the first
- * third, but twenty at least, so that tests do not take too long.
+ * third, but eight at least, so that tests do not take too long.
  *
  * @param all in the order they are asked
  */
 record Seeds(List<Long> all) {
 
-    private static final int FEWEST = 20;
+    private static final int FEWEST = 8;
     private static final boolean ARE_ALL_ASKED = LawTable.isWanted();
 
     /** From 1 to the last. */

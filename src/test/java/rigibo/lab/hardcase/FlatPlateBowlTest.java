@@ -18,13 +18,7 @@ class FlatPlateBowlTest {
      * comes over within a substep, for it was not over them yet when the leading corner landed.
      */
     @ParameterizedTest(name = "{0} plates of {1} chords, in a bowl of {2} m")
-    @CsvSource({
-        "60, 1.4, 4.65",
-        "180, 1.4, 4.33",
-        "333, 1.2, 3.29",
-        "1000, 1, 5.64",
-        "1500, 1, 4.39"
-    })
+    @CsvSource({"60, 1.4, 4.65", "333, 1.2, 3.29", "1500, 1, 4.39"})
     void boxLosesWhatTheKinksTake(int plates, double lap, double radius) {
         Trial trial = new Trial(Preset.GAME, Preset.GAME, Sampling.USUAL, body -> body, 1);
         FlatPlateBowl.BOX.swing(trial, new PlateBowl(radius, plates, lap));
