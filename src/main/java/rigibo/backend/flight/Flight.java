@@ -305,7 +305,7 @@ public final class Flight {
 
     /**
      * Lets a disc that was to go on to the end of its invisible bounces join its pile at once, if
-     * it would meet something else before.
+     * it would meet a wall or a body of a pile before. A flyer that meets it joins it there.
      */
     private void landBeforeNext(int slot, double time) {
         if (!hitsPile(slot)) {
@@ -313,7 +313,7 @@ public final class Flight {
         }
         double lands = bodies.pileTimeOf(slot);
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-            if (queue.timeOf(p) < lands) {
+            if (!paths.isFlyer(pairs.other(p, slot)) && queue.timeOf(p) < lands) {
                 paths.landEarlier(slot, time);
                 return;
             }
