@@ -169,24 +169,32 @@ public final class Flight {
         if (!isInTime || !isFlown || waits(pair)) {
             return;
         }
+        double time = meetingTime(pair, from, dt);
+        if (time <= dt) {
+            queue.put(pair, time);
+        }
+    }
+
+    /** First time in s, from {@code from} to {@code until}, at which the two of a pair meet. */
+    private double meetingTime(int pair, double from, double until) {
         boolean isOneSided = narrowphase.isOneSided(pair);
         if (isOneSided && passes(pair, from)) {
-            return;
+            return TimeOfImpact.NEVER;
         }
-        paths.load(a, motionA);
-        paths.load(b, motionB);
+        paths.load(pairs.bodyA[pair], motionA);
+        paths.load(pairs.bodyB[pair], motionB);
         motionA.outline = bodies.outline[pairs.shapeA(pair)];
         motionB.outline = bodies.outline[pairs.shapeB(pair)];
         double time =
                 timeOfImpact.find(
-                        motionA, motionB, from, dt, accuracy.impactTolerance(), accuracy.search());
+                        motionA,
+                        motionB,
+                        from,
+                        until,
+                        accuracy.impactTolerance(),
+                        accuracy.search());
         counters.evaluations += timeOfImpact.evaluations;
-        if (isOneSided && time <= dt) {
-            time = firstThatIsMet(pair, time, dt);
-        }
-        if (time <= dt) {
-            queue.put(pair, time);
-        }
+        return isOneSided && time <= until ? firstThatIsMet(pair, time, until) : time;
     }
 
     /** Time in s in which the two move by {@link #LOOK_AHEAD} against each other. */
@@ -291,8 +299,8 @@ public final class Flight {
         }
         impacts.strike(tied, left, first, time, dt);
         for (int i = 0; i < left; i++) {
-            landBeforeNext(pairs.bodyA[tied[i]], time);
-            landBeforeNext(pairs.bodyB[tied[i]], time);
+            landBeforeNext(pairs.bodyA[tied[i]], tied[i], time);
+            landBeforeNext(pairs.bodyB[tied[i]], tied[i], time);
         }
         for (int i = 0; i < left; i++) {
             repredict(pairs.bodyA[tied[i]], time, dt);
@@ -307,13 +315,14 @@ public final class Flight {
      * Lets a disc that was to go on to the end of its invisible bounces join its pile at once, if
      * it would meet a wall or a body of a pile before. A flyer that meets it joins it there.
      */
-    private void landBeforeNext(int slot, double time) {
-        if (!hitsPile(slot)) {
+    private void landBeforeNext(int slot, int landing, double time) {
+        double lands = hitsPile(slot) ? bodies.pileTimeOf(slot) : 0;
+        if (lands <= time) {
             return;
         }
-        double lands = bodies.pileTimeOf(slot);
         for (int p = bodies.firstPair[slot]; p != Pairs.NONE; p = pairs.nextOf(p, slot)) {
-            if (!paths.isFlyer(pairs.other(p, slot)) && queue.timeOf(p) < lands) {
+            boolean flies = paths.isFlyer(pairs.other(p, slot));
+            if (p != landing && !flies && meetingTime(p, time, lands) < lands) {
                 paths.landEarlier(slot, time);
                 return;
             }

@@ -13,7 +13,7 @@ import java.util.function.IntConsumer;
 public final class Snapshot {
 
     /** Revision of the present simulation; see {@code Pool.REVISION}. */
-    public static final int REVISION = 41;
+    public static final int REVISION = 42;
 
     /** Bytes of a body's slot and of the length of its name. */
     private static final int LEAST_BYTES = 8;

@@ -231,4 +231,27 @@ class EndOfBouncesTest {
         }
         assertThat(ball.velocityX()).isNegative();
     }
+
+    /**
+     * A ball that falls along a wall onto a ramp slides towards the wall, whatever is left of its
+     * bounces: before, it flew along the wall and was not to meet it.
+     */
+    @ParameterizedTest
+    @EnumSource(
+            value = Preset.class,
+            names = {"GAME", "FINE", "EXACT"})
+    void whatIsThrownAgainstAWallStopsThere(Preset preset) {
+        Pool pool = new Pool(Effects.usual(), preset.accuracy);
+        Material dull = new Material(1, 0.2, 0.005);
+        pool.add(BodyDefinition.fixed(Polygon.box(1, 20)).at(0.5, 0).material(dull));
+        pool.add(BodyDefinition.fixed(Polygon.box(4, 0.4)).at(-1, 0).angle(-0.2).material(dull));
+        pool.add(
+                BodyDefinition.dynamic(new Circle(0.25))
+                        .at(-0.2503, 2)
+                        .velocity(0, -3)
+                        .material(dull));
+        for (int i = 0; i < 60; i++) {
+            assertThat(pool.step(1.0 / 60).deepestOverlap()).isLessThan(0.5 * 1e-3);
+        }
+    }
 }
