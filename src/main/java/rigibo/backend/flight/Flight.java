@@ -314,6 +314,8 @@ public final class Flight {
     /**
      * Lets a disc that was to go on to the end of its invisible bounces join its pile at once, if
      * it would meet a wall or a body of a pile before. A flyer that meets it joins it there.
+     *
+     * @param landing the pair whose bounces end, at a time in s
      */
     private void landBeforeNext(int slot, int landing, double time) {
         double lands = hitsPile(slot) ? bodies.pileTimeOf(slot) : 0;
